@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "verification/series/sample_moments.hpp"
+#include "verification/series/student_t.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {
@@ -46,8 +46,7 @@ PowerLawLine fit_power_law_line(const std::vector<ValueAtStep>& errors) {
     squares += residual * residual;
   }
   const double freedom = line.count - 2;
-  line.scatter =
-      boost::math::quantile(boost::math::students_t(freedom), 0.975) * std::sqrt(squares / freedom);
+  line.scatter = t95(freedom) * std::sqrt(squares / freedom);
   line.order.half_width = line.scatter / std::sqrt(line.spread);
   return line;
 }

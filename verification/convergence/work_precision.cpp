@@ -1,10 +1,10 @@
 #include "verification/convergence/work_precision.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <set>
 
+#include "verification/series/student_t.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {
@@ -107,7 +107,7 @@ std::optional<Estimate> work_slope(const std::vector<WorkPoint>& points) {
   const double slope = wl / ww;
   if (resolutions == 2) return Estimate{slope, not_a_number};
   const double left = std::max(0.0, ll - slope * wl);  // sum of the squared residuals
-  const double t = boost::math::quantile(boost::math::students_t(n - 2), 0.975);
+  const double t = t95(n - 2);
   return Estimate{slope, t * std::sqrt(left / (n - 2) / ww)};
 }
 

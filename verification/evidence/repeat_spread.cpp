@@ -1,11 +1,11 @@
 #include "verification/evidence/repeat_spread.hpp"
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
 #include "verification/series/sample_moments.hpp"
+#include "verification/series/student_t.hpp"
 
 namespace slosh {
 namespace {
@@ -19,7 +19,7 @@ double prediction_half_width(const std::vector<double>& values) {
 double half_width_of_95_percent(const std::vector<double>& values) {
   if (values.size() < 2) throw std::invalid_argument("a single value has no scatter");
   const double n = static_cast<double>(values.size());
-  const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.975);
+  const double t = t95(n - 1);
   return t * rms(without_mean(values)) * std::sqrt(n / (n - 1));
 }
 

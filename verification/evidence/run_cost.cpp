@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "verification/case/ensemble.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/series/sample_moments.hpp"
+#include "verification/series/student_t.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {
@@ -18,7 +18,7 @@ namespace {
 Estimate mean_with_interval(const std::vector<double>& values) {
   const double n = static_cast<double>(values.size());
   if (values.size() < 2) return {mean(values), not_a_number};
-  const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.975);
+  const double t = t95(n - 1);
   return {mean(values), t * rms(without_mean(values)) / std::sqrt(n - 1)};
 }
 

@@ -1,8 +1,9 @@
 #include "verification/fits/block_jackknife.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+
+#include "verification/series/student_t.hpp"
 
 namespace slosh {
 namespace {
@@ -43,7 +44,7 @@ Estimate block_jackknife(const std::vector<BlockIntegrals>& blocks,
   }
   double squares = 0;
   for (const double one : without) squares += (one - mean) * (one - mean);
-  const double t = boost::math::quantile(boost::math::students_t(count - 1), 0.975);
+  const double t = t95(count - 1);
   return {value, t * std::sqrt((count - 1) / count * squares)};
 }
 

@@ -1,13 +1,13 @@
 #include "verification/fits/local_noise.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "verification/fits/dense_algebra.hpp"
 #include "verification/fits/tone_search.hpp"
+#include "verification/series/student_t.hpp"
 
 namespace slosh {
 namespace {
@@ -127,8 +127,7 @@ LocalNoise::LocalNoise(const FittedSamples& fit, double angular_frequency, doubl
     const MatrixXd variance = transposed_product(directions, correlated(directions, correlation));
     const double trace = variance.trace();
     const double freedom = trace * trace / variance.squaredNorm();
-    shapes_.push_back({weight * boost::math::quantile(boost::math::students_t(freedom), 0.975),
-                       count / trace * of_parameters.covariances[i]});
+    shapes_.push_back({weight * t95(freedom), count / trace * of_parameters.covariances[i]});
   }
 }
 

@@ -1,10 +1,10 @@
 #include "verification/metrics/ensemble_mean.hpp"
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "verification/series/sample_moments.hpp"
+#include "verification/series/student_t.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {
@@ -38,7 +38,7 @@ double welch_freedom(const MeanVariance& a, const MeanVariance& b) {
 double half_width_of(double variance, double freedom) {
   if (variance == 0) return 0;  // all members are equal
   if (!std::isfinite(variance)) return not_a_number;
-  return boost::math::quantile(boost::math::students_t(freedom), 0.975) * std::sqrt(variance);
+  return t95(freedom) * std::sqrt(variance);
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
 #include "verification/gate/distributions/two_sample_statistics.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
+
+#include "verification/series/student_t.hpp"
 
 namespace slosh {
 namespace {
@@ -106,8 +107,7 @@ double welch_p_value(const Distribution& one, const Distribution& other) {
   const double a = of_mean(one), b = of_mean(other), difference = one.mean() - other.mean();
   if (a + b == 0) return difference == 0 ? 1 : 0;
   const double degrees = squared(a + b) / (a * a / freedom(one) + b * b / freedom(other));
-  const double t = std::abs(difference) / std::sqrt(a + b);
-  return 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(degrees), t));
+  return two_sided_p(difference / std::sqrt(a + b), degrees);
 }
 
 }  // namespace slosh
