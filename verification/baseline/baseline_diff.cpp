@@ -1,6 +1,7 @@
 #include "verification/baseline/baseline_diff.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
@@ -43,7 +44,7 @@ bool has_moved(const BaselineValue& before, const BaselineValue& after) {
 
 std::string signed_in_unit(double value, const std::string& unit, int digits = 3) {
   return unit == "1" ? fmt::format("{:+.{}g} %", 100 * value, digits)
-                     : fmt::format("{:+.{}g} {}", value, digits, unit);
+                     : fmt::format("{:+.{}g}{}{}", value, digits, unit.empty() ? "" : " ", unit);
 }
 
 // Both values, with as many digits as tell them apart.
@@ -79,6 +80,18 @@ RowTerms terms_of(const CaseDefinition& definition, const GateRow& row) {
           setup_hash(definition, {row.candidate, row.reference, row.improves_on.value_or("")})};
 }
 
+// An error of a problem is exact but for its round-off, which may be all of it: a thousandth of the
+// bound stands for that.
+std::optional<BaselineValue> baseline_value(const ProblemGateOutcome& outcome) {
+  if (!std::isfinite(outcome.value)) return {};
+  BaselineValue value{outcome.value, 0, {}, {}, RowTerms{kind_name(outcome.row.kind), "", "", ""}};
+  const bool at_least = outcome.row.metric == ProblemMetric::order_at_least;
+  (at_least ? value.lower : value.upper) = outcome.row.limit;
+  if (const auto& between = outcome.row.between) std::tie(value.lower, value.upper) = *between;
+  value.half_width = 1e-3 * std::abs(value.upper.value_or(value.lower.value_or(0)));
+  return value;
+}
+
 // A row of a case or of a problem as it stands.
 struct PresentRow {
   std::string name, unit;
@@ -98,18 +111,10 @@ std::vector<PresentRow> present_rows(const JudgedCampaign& campaign) {
       rows.push_back(std::move(row));
     }
   for (const ProblemAssessment& one : campaign.problems)
-    for (const ProblemGateOutcome& outcome : one.gate) {
-      PresentRow row{
-          row_name(one.definition.name, outcome.row), outcome.row.unit, outcome.verdict, {}};
-      if (std::isfinite(outcome.value)) {
-        row.value = {outcome.value, 0, {}, {}, RowTerms{kind_name(outcome.row.kind), "", "", ""}};
-        const bool at_least = outcome.row.metric == ProblemMetric::order_at_least;
-        (at_least ? row.value->lower : row.value->upper) = outcome.row.limit;
-        if (const auto& between = outcome.row.between)
-          std::tie(row.value->lower, row.value->upper) = *between;
-      }
-      rows.push_back(std::move(row));
-    }
+    for (const ProblemGateOutcome& outcome : one.gate)
+      rows.push_back({row_name(one.definition.name, outcome.row),
+                      outcome.row.unit == "1" ? "" : outcome.row.unit, outcome.verdict,
+                      baseline_value(outcome)});
   return rows;
 }
 
@@ -275,20 +280,20 @@ std::string movement_text(const RowMovement& movement) {
 }
 
 std::string changes_sentence(const std::vector<RowMovement>& movements) {
-  int lost = 0, of_validation = 0, added = 0, changed = 0, demoted = 0;
+  int lost = 0, lost_of_validation = 0, added = 0, changed = 0, demoted = 0;
   for (const RowMovement& one : movements) {
     lost += one.lost;
-    of_validation += one.lost && one.loses_validation();
-    demoted += !one.lost && one.loses_validation();
+    (one.lost ? lost_of_validation : demoted) += one.loses_validation();
     added += !one.before && one.after;
     changed += one.before && !one.lost && one.has_changed();
   }
-  if (lost + added + changed == 0) return "";
-  return fmt::format(
-      "Since the baseline: {} rows lost ({} of validation), {} new, {} changed ({} of validation "
-      "now "
-      "of regression).",
-      lost, of_validation, added, changed, demoted);
+  std::vector<std::string> parts;
+  if (lost > 0)
+    parts.push_back(fmt::format("{} lost ({} of validation)", lost, lost_of_validation));
+  if (added > 0) parts.push_back(fmt::format("{} new", added));
+  if (changed > 0) parts.push_back(fmt::format("{} changed", changed));
+  if (demoted > 0) parts.push_back(fmt::format("{} of validation now of regression", demoted));
+  return parts.empty() ? "" : fmt::format("Rows since the baseline: {}.", fmt::join(parts, ", "));
 }
 
 }  // namespace slosh

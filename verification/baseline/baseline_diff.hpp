@@ -64,8 +64,8 @@ std::vector<BaselineChange> proposed_changes(const std::vector<RowMovement>& mov
 // and by changed terms, "kind: validation -> regression".
 std::string movement_text(const RowMovement& movement);
 
-// "Since the baseline 2 rows are lost, 1 of them of validation; 1 is new; 3 have changed." Returns
-// "" where there is nothing to tell.
+// "Rows since the baseline: 2 lost (1 of validation), 1 new, 3 changed." Returns "" where there is
+// nothing to tell.
 std::string changes_sentence(const std::vector<RowMovement>& movements);
 
 }  // namespace slosh

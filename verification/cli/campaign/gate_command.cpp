@@ -50,11 +50,13 @@ int judge_campaign(const CampaignOptions& options, const Installation& installat
                    const std::atomic<bool>& stop) {
   RequestedCampaign campaign = requested(options, installation);
   const fs::path ledger = ledger_of(options, campaign.definition, installation);
-  const Baseline baseline = baseline_of(read_ledger(ledger));
+  // Read before a program of the user's starts.
+  const std::vector<Approval> approvals = read_ledger(ledger);
+  const Baseline baseline = baseline_of(approvals);
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   GateFindings findings{.movements = movements(baseline, {assessed.cases, assessed.problems,
                                                           options.selection.is_partial()}),
-                        .has_baseline = holds_approvals(ledger),
+                        .has_baseline = !approvals.empty(),
                         .inconclusive_passes = options.inconclusive_exit == exit_pass};
   findings.status = status_of(assessed, findings.movements);
   std::cerr << complaints(assessed.cases, assessed.problems);

@@ -121,22 +121,28 @@ reports::GateEntry entry_of(const RowMovement& lost) {
           .file = ""};
 }
 
+// An entry that is no row's.
+reports::GateEntry bare_entry(const std::string& group, const std::string& name,
+                              GateOutcomeKind outcome, const std::string& message) {
+  return {.outcome = outcome,
+          .group = group,
+          .name = name,
+          .message = message,
+          .unit = "1",
+          .value = std::nan(""),
+          .uncertainty = std::nan(""),
+          .lower = {},
+          .upper = {},
+          .moved = "",
+          .file = ""};
+}
+
 // Adds a run or a problem that has no usable result.
 void add_open_run(const std::string& group, const std::string& name, const RunStatus& status,
                   reports::GateDocument& document) {
   if (status.state != RunState::failed && status.state != RunState::missing) return;
   const auto [verdict, message] = obstacle_of(name, status).value();
-  document.entries.push_back({.outcome = kind_of(verdict),
-                              .group = group,
-                              .name = name,
-                              .message = message,
-                              .unit = "1",
-                              .value = std::nan(""),
-                              .uncertainty = std::nan(""),
-                              .lower = {},
-                              .upper = {},
-                              .moved = "",
-                              .file = ""});
+  document.entries.push_back(bare_entry(group, name, kind_of(verdict), message));
 }
 
 // Adds the verdict itself where it is none of a row or a run: nothing was judged, or no pair of a
@@ -147,8 +153,9 @@ void add_bare_verdict(const std::string& campaign, const GateFindings& findings,
       document.entries.begin(), document.entries.end(), [](const reports::GateEntry& one) {
         return one.outcome != GateOutcomeKind::pass && one.outcome != GateOutcomeKind::skipped;
       });
-  if (findings.status == exit_pass || is_told) return;
-  add_open_run(campaign, "the campaign", {RunState::missing, document.verdict}, document);
+  if (findings.status != exit_pass && !is_told)
+    document.entries.push_back(
+        bare_entry(campaign, "the campaign", GateOutcomeKind::not_compared, document.verdict));
 }
 
 }  // namespace
@@ -196,9 +203,10 @@ void supersede_gate_files(const std::string& campaign, const std::string& why,
   const std::array files{directory / junit_name, directory / markdown_name};
   if (std::none_of(files.begin(), files.end(), [](const fs::path& one) { return fs::exists(one); }))
     return;
-  reports::GateDocument document{
-      .title = campaign, .verdict = headline_word(exit_not_compared) + ": " + why, .entries = {}};
-  add_open_run(campaign, "the campaign", {RunState::missing, why}, document);
+  const reports::GateDocument document{
+      .title = campaign,
+      .verdict = headline_word(exit_not_compared) + ": " + why,
+      .entries = {bare_entry(campaign, "the campaign", GateOutcomeKind::not_compared, why)}};
   try {
     write_gate_files(document, directory);
   } catch (const fs::filesystem_error&) {  // no room: an old verdict must not stay for that
