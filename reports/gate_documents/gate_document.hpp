@@ -8,12 +8,20 @@
 
 namespace slosh::reports {
 
-enum class GateOutcomeKind { pass, inconclusive, violated, not_compared, solver_failed, skipped };
+enum class GateOutcomeKind {
+  pass,
+  inconclusive,
+  violated,
+  not_compared,
+  solver_failed,
+  skipped,
+  lost  // a row of validation that the baseline has and the campaign does not
+};
 
 struct GateEntry {
   GateOutcomeKind outcome;
   std::string group;    // the case
-  std::string name;     // unique in its group
+  std::string name;     // of a row, or "run NAME"; unique in its group
   std::string message;  // the finding, or why there is none
   std::string unit;
   double value = 0, uncertainty = 0;   // 95 %, in the unit; NaN where there is none
@@ -30,18 +38,21 @@ struct GateDocument {
   std::string title, verdict;
   std::vector<GateEntry> entries;
   std::string basis = {};  // what the rows are based on; may be empty
+  // Whether inconclusive rows leave the exit status at 0: JUnit then calls them skipped.
+  bool inconclusive_passes = false;
 };
 
-// Returns the entries sorted by severity: solver failed, violated, not compared, inconclusive,
-// loosened tolerances, the rest. Entries of equal severity keep their order.
+// Returns the entries sorted by severity: solver failed, violated, not compared, inconclusive or
+// lost, loosened tolerances, the rest. Entries of equal severity keep their order.
 std::vector<const GateEntry*> worst_first(const GateDocument& document);
 
 // Returns JUnit XML: testsuites / testsuite (a group) / testcase, with value, uncertainty and
-// tolerance as properties. Violated and inconclusive rows are failures; rows that were not compared
-// or whose solver failed are errors.
+// tolerance as properties. Violated, inconclusive and lost rows are failures; rows that were not
+// compared or whose solver failed are errors.
 std::string junit_xml(const GateDocument& document);
 
-// Returns a table, worst first, of all rows except those that pass unchanged, which are counted.
+// Returns a table, worst first, of all rows except those that pass unchanged and those that are
+// skipped, which are counted.
 std::string gate_markdown(const GateDocument& document);
 
 }  // namespace slosh::reports

@@ -5,7 +5,7 @@
 #include <boost/property_tree/xml_parser.hpp>
 #include <cmath>
 #include <sstream>
-#include <utility>
+#include <string_view>
 
 #include "reports/gate_documents/gate_document.hpp"
 
@@ -42,36 +42,43 @@ Xml properties_of(const GateEntry& entry) {
   return properties;
 }
 
-// Returns the element and its type for a row that does not pass, and nulls for one that passes.
-std::pair<const char*, const char*> element_of(GateOutcomeKind outcome) {
+// The element and the type of a row; both are empty for one that passes, the type of a skipped one.
+struct Element {
+  std::string_view name, type;
+};
+
+Element element_of(GateOutcomeKind outcome, const GateDocument& document) {
   switch (outcome) {
     case GateOutcomeKind::violated:
       return {"failure", "violated"};
     case GateOutcomeKind::inconclusive:
-      return {"failure", "inconclusive"};
+      return {document.inconclusive_passes ? "skipped" : "failure", "inconclusive"};
+    case GateOutcomeKind::lost:
+      return {"failure", "lost"};
     case GateOutcomeKind::not_compared:
       return {"error", "not compared"};
     case GateOutcomeKind::solver_failed:
       return {"error", "solver failed"};
     case GateOutcomeKind::skipped:
-      return {"skipped", nullptr};
+      return {"skipped", ""};
     case GateOutcomeKind::pass:
       break;
   }
-  return {nullptr, nullptr};
+  return {};
 }
 
-Xml case_of(const GateEntry& entry) {
+Xml case_of(const GateEntry& entry, const Element& element) {
   Xml test;
   test.put("<xmlattr>.classname", xml_text(entry.group));
   test.put("<xmlattr>.name", xml_text(entry.name));
   test.put("<xmlattr>.file", xml_text(entry.file));
   test.put("<xmlattr>.line", entry.line);
   test.add_child("properties", properties_of(entry));
-  if (const auto [element, type] = element_of(entry.outcome); element) {
-    Xml& told = test.add(element, "");
+  if (!element.name.empty()) {
+    Xml told;
     told.put("<xmlattr>.message", xml_text(entry.message));
-    if (type) told.put("<xmlattr>.type", type);
+    if (!element.type.empty()) told.put("<xmlattr>.type", std::string(element.type));
+    test.add_child(std::string(element.name), told);
   }
   return test;
 }
@@ -79,11 +86,11 @@ Xml case_of(const GateEntry& entry) {
 struct Counts {
   int tests = 0, failures = 0, errors = 0, skipped = 0;
 
-  void add(GateOutcomeKind outcome) {
+  void add(const Element& element) {
     ++tests;
-    failures += outcome == GateOutcomeKind::violated || outcome == GateOutcomeKind::inconclusive;
-    errors += outcome == GateOutcomeKind::not_compared || outcome == GateOutcomeKind::solver_failed;
-    skipped += outcome == GateOutcomeKind::skipped;
+    failures += element.name == "failure";
+    errors += element.name == "error";
+    skipped += element.name == "skipped";
   }
   void put_on(Xml& element) const {
     element.put("<xmlattr>.tests", tests);
@@ -109,9 +116,10 @@ std::string junit_xml(const GateDocument& document) {
     suite.put("<xmlattr>.name", xml_text(group));
     for (const GateEntry& entry : document.entries) {
       if (entry.group != group) continue;
-      counts.add(entry.outcome);
-      all.add(entry.outcome);
-      suite.add_child("testcase", case_of(entry));
+      const Element element = element_of(entry.outcome, document);
+      counts.add(element);
+      all.add(element);
+      suite.add_child("testcase", case_of(entry, element));
     }
     counts.put_on(suite);
     suites.add_child("testsuite", suite);

@@ -17,6 +17,7 @@ int badness(const GateEntry& entry) {
     case GateOutcomeKind::not_compared:
       return 3;
     case GateOutcomeKind::inconclusive:
+    case GateOutcomeKind::lost:
       return 2;
     case GateOutcomeKind::pass:
     case GateOutcomeKind::skipped:
@@ -35,6 +36,8 @@ const char* word(GateOutcomeKind outcome) {
       return "**not compared**";
     case GateOutcomeKind::inconclusive:
       return "**inconclusive**";
+    case GateOutcomeKind::lost:
+      return "**lost**";
     case GateOutcomeKind::pass:
       return "pass";
     case GateOutcomeKind::skipped:
@@ -44,8 +47,7 @@ const char* word(GateOutcomeKind outcome) {
 }
 
 bool is_worth_a_line(const GateEntry& entry) {
-  return badness(entry) > 0 || (entry.outcome == GateOutcomeKind::pass && !entry.moved.empty() &&
-                                entry.moved != "unmoved");
+  return badness(entry) > 0 || (!entry.moved.empty() && entry.moved != "unmoved");
 }
 
 }  // namespace
@@ -64,24 +66,26 @@ std::string gate_markdown(const GateDocument& document) {
       fmt::format("## {}\n\n{}\n", markdown_text(document.title), markdown_text(document.verdict));
   if (!document.basis.empty()) text += fmt::format("\n{}\n", markdown_text(document.basis));
   std::string lines;
-  std::size_t told = 0;
+  std::size_t passed = 0, skipped = 0;
   for (const GateEntry* entry : worst_first(document)) {
-    if (!is_worth_a_line(*entry)) continue;
-    ++told;
+    if (!is_worth_a_line(*entry)) {
+      ++(entry->outcome == GateOutcomeKind::skipped ? skipped : passed);
+      continue;
+    }
     lines += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", word(entry->outcome),
                          markdown_text(entry->kind), markdown_text(entry->group),
                          markdown_text(entry->name), markdown_text(entry->message),
                          markdown_text(entry->uncertainties), markdown_text(entry->moved));
   }
-  if (told > 0)
+  if (!lines.empty())
     text +=
         "\n| verdict | kind | case | row | result | uncertainties | since the baseline |\n"
         "|---|---|---|---|---|---|---|\n" +
         lines;
-  const std::size_t rest = document.entries.size() - told;
-  if (rest > 0)
-    text += fmt::format("\n{} {} passed unmoved, or left out of this form.\n", rest,
-                        told > 0 ? "more rows" : "rows");
+  if (passed > 0) text += fmt::format("\n{} rows pass and have not changed.\n", passed);
+  if (skipped > 0)
+    text +=
+        fmt::format("\n{} rows are not selected, or their records are not supplied.\n", skipped);
   return text;
 }
 

@@ -45,6 +45,18 @@ PredictionSet set_from(const json& entry) {
 constexpr std::array<int, 5> statuses{exit_solver_failed, exit_violated, exit_not_compared,
                                       exit_inconclusive, exit_pass};
 
+bool is_worse(int status, int other) {
+  return std::find(statuses.begin(), statuses.end(), status) <
+         std::find(statuses.begin(), statuses.end(), other);
+}
+
+// Throws std::invalid_argument for a name that no verdict has.
+Verdict verdict_from(const std::string& name) {
+  for (int i = 0; i <= static_cast<int>(Verdict::not_supplied); ++i)
+    if (const auto verdict = static_cast<Verdict>(i); verdict_name(verdict) == name) return verdict;
+  throw std::invalid_argument("verdict \"" + name + "\": expected that of a gate row");
+}
+
 std::string status_word(int status) {
   switch (status) {
     case exit_pass:
@@ -74,10 +86,9 @@ reports::Table campaigns_table(const std::vector<RecordedCampaign>& campaigns) {
   return table;
 }
 
-std::string document_of(const std::vector<RecordedCampaign>& campaigns,
-                        const std::vector<PredictionSet>& sets) {
+std::string document_of(int status, const std::vector<PredictionSet>& sets) {
   nlohmann::ordered_json document = nlohmann::ordered_json::parse(results_json("all", false, {}));
-  document["exit_status"] = exit_status(campaigns);
+  document["exit_status"] = status;
   for (const PredictionSet& set : sets) document["model_bias"].push_back(bias_json(set));
   return document.dump(2);
 }
@@ -91,16 +102,19 @@ RecordedCampaign recorded_campaign(const std::string& text, const std::string& p
   if (std::find(statuses.begin(), statuses.end(), recorded.exit_status) == statuses.end())
     throw std::invalid_argument(
         fmt::format("exit_status {}: expected 0, 1, 3, 4 or 5", recorded.exit_status));
+  std::vector<Verdict> verdicts;
   for (const char* kind : {"cases", "problems"})
     for (const json& one : document.at(kind))
       for (const json& row : one.at("gate")) {
-        const std::string verdict = row.at("verdict");
-        if (verdict == verdict_name(Verdict::not_selected) ||
-            verdict == verdict_name(Verdict::not_supplied))
-          continue;
+        const Verdict verdict = verdict_from(row.at("verdict"));
+        if (verdict == Verdict::not_selected || verdict == Verdict::not_supplied) continue;
+        verdicts.push_back(verdict);
         ++recorded.rows;
-        recorded.passed += verdict == verdict_name(Verdict::pass);
+        recorded.passed += verdict == Verdict::pass;
       }
+  if (const int of_rows = exit_status_of(verdicts); is_worse(of_rows, recorded.exit_status))
+    throw std::invalid_argument(fmt::format("exit_status {}: expected {}, that of its gate rows",
+                                            recorded.exit_status, of_rows));
   for (const json& set : document.at("model_bias")) recorded.predictions.push_back(set_from(set));
   return recorded;
 } catch (const json::exception& error) {
@@ -133,12 +147,13 @@ std::vector<PredictionSet> merged_predictions(const std::vector<RecordedCampaign
   return merged;
 }
 
-int exit_status(const std::vector<RecordedCampaign>& campaigns) {
-  for (const int status : statuses)
-    if (std::any_of(campaigns.begin(), campaigns.end(),
-                    [&](const RecordedCampaign& one) { return one.exit_status == status; }))
-      return status;
-  return exit_not_compared;
+int exit_status(const std::vector<RecordedCampaign>& campaigns,
+                const std::vector<std::string>& left_out) {
+  if (campaigns.empty()) return exit_not_compared;
+  int worst = left_out.empty() ? exit_pass : exit_not_compared;
+  for (const RecordedCampaign& one : campaigns)
+    if (is_worse(one.exit_status, worst)) worst = one.exit_status;
+  return worst;
 }
 
 reports::Report report_of_campaigns(const std::vector<RecordedCampaign>& campaigns,
@@ -153,9 +168,10 @@ reports::Report report_of_campaigns(const std::vector<RecordedCampaign>& campaig
   const auto origin = provenance("");
   reports::Report report;
   report.title = "All campaigns";
+  const int status = exit_status(campaigns, left_out);
   report.verdict = fmt::format("{} of {} campaigns pass; {} of {} gate rows hold.", held,
-                               campaigns.size(), passed, rows);
-  report.outcome = outcome_of(exit_status(campaigns));
+                               campaigns.size() + left_out.size(), passed, rows);
+  report.outcome = outcome_of(status);
   report.subtitle = fmt::format("{} · Slosh {}", origin.at("date_utc"), origin.at("slosh_version"));
   reports::Section verdicts{"campaigns", "Verdicts", {}, {campaigns_table(campaigns)}, {}};
   if (!left_out.empty())
@@ -166,7 +182,7 @@ reports::Report report_of_campaigns(const std::vector<RecordedCampaign>& campaig
       "A comparison that several campaigns make counts once, that of a whole campaign before that "
       "of a quick form.");
   report.sections = {std::move(bias), std::move(verdicts)};
-  report.results_json = document_of(campaigns, sets);
+  report.results_json = document_of(status, sets);
   return report;
 }
 

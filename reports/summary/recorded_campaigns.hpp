@@ -31,7 +31,8 @@ std::vector<PredictionSet> merged_predictions(const std::vector<RecordedCampaign
 reports::Report report_of_campaigns(const std::vector<RecordedCampaign>& campaigns,
                                     const std::vector<std::string>& left_out);
 
-// The worst exit status of them.
-int exit_status(const std::vector<RecordedCampaign>& campaigns);
+// The worst exit status of them. A report that could not be read counts as not compared.
+int exit_status(const std::vector<RecordedCampaign>& campaigns,
+                const std::vector<std::string>& left_out);
 
 }  // namespace slosh

@@ -28,15 +28,26 @@ std::optional<BaselineValue> optional_value_from(const Json& value) {
 }  // namespace
 
 Json json_of(const BaselineValue& value) {
-  return {{"value", value.value},
-          {"half_width_95", value.half_width},
-          {"lower", json_of(value.lower)},
-          {"upper", json_of(value.upper)}};
+  Json entry{{"value", value.value},
+             {"half_width_95", value.half_width},
+             {"lower", json_of(value.lower)},
+             {"upper", json_of(value.upper)}};
+  if (const auto& terms = value.terms)
+    entry["terms"] = {{"kind", terms->kind},
+                      {"window", terms->window},
+                      {"inputs", terms->inputs},
+                      {"setup", terms->setup}};
+  return entry;
 }
 
 BaselineValue value_from(const Json& value) {
-  return {value.at("value").get<double>(), value.at("half_width_95").get<double>(),
-          number_from(value.at("lower")), number_from(value.at("upper"))};
+  BaselineValue read{value.at("value").get<double>(), value.at("half_width_95").get<double>(),
+                     number_from(value.at("lower")), number_from(value.at("upper"))};
+  if (value.contains("terms")) {
+    const Json& terms = value.at("terms");
+    read.terms = {terms.at("kind"), terms.at("window"), terms.at("inputs"), terms.at("setup")};
+  }
+  return read;
 }
 
 Json json_of(const std::vector<BaselineChange>& changes) {

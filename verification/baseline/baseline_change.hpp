@@ -1,7 +1,8 @@
 // The baseline of a campaign, changes of it, and a proposal of such changes. A change reads in JSON
-//   {"row", "old", "new"}, with old and new {"value", "half_width_95", "lower", "upper"} or null,
-// in ledgers (baseline_ledger.hpp) and proposals alike. A proposal lies beside the results until
-// somebody approves it.
+//   {"row", "old", "new"}, with old and new {"value", "half_width_95", "lower", "upper", "terms"}
+//   or null, and terms {"kind", "window", "inputs", "setup"},
+// in ledgers (baseline_ledger.hpp) and proposals alike. Older ledgers record no terms. A proposal
+// lies beside the results until somebody approves it.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +15,21 @@
 
 namespace slosh {
 
+// What a row is judged on beside its tolerance, as texts that are equal where it is the same.
+struct RowTerms {
+  std::string kind;    // "validation" or "regression"
+  std::string window;  // "1 .. 8 s"; empty of a problem's row, as the two below
+  std::string inputs;  // "amplitude +- 0.001 m, period +- 0.01 s": those declared uncertain
+  std::string setup;   // hash of the case's physics and of the settings of the row's runs
+
+  bool operator==(const RowTerms&) const = default;
+};
+
 // A gate row's metric and its tolerance, in the row's unit.
 struct BaselineValue {
   double value, half_width;            // half_width: of the 95 % interval, zero if unknown
   std::optional<double> lower, upper;  // nullopt for a row that must improve on another run
+  std::optional<RowTerms> terms = {};  // nullopt: not recorded
 
   bool operator==(const BaselineValue&) const = default;
 };

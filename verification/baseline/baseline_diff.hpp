@@ -1,7 +1,8 @@
 // The changes of a campaign's gate rows since their baseline: by how many uncertainties each metric
-// has moved, and which tolerances were loosened. A metric has moved where its change exceeds both
-// intervals together and the round-off that differs between compilers and processors. Timings
-// belong to one machine and have no baseline.
+// has moved, which rows were lost, are new or have another name, and which tolerances and terms
+// (baseline_change.hpp) are others. A metric has moved where its change exceeds both intervals
+// together and the round-off that differs between compilers and processors. Timings belong to one
+// machine and have no baseline.
 #pragma once
 
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "verification/assessment/case_assessment.hpp"
+#include "verification/assessment/problem_assessment.hpp"
 #include "verification/baseline/baseline_change.hpp"
 
 namespace slosh {
@@ -21,30 +23,49 @@ struct RowMovement {
   // moved value without any half width, and zero where before or after is missing.
   double uncertainties = 0;
   bool loosened = false;  // whether the tolerance accepts more than before at either end
-  bool declared = true;   // whether the campaign still has the row
+  // Whether this form of the campaign no longer has the row: nothing declares it, or the whole form
+  // leaves its run out.
+  bool lost = false;
+  std::string other_name = {};  // of a lost row the new one, of a new row the lost one, if any fits
 
-  // Whether the row appeared, was lost, moved or has another tolerance.
+  // Whether the row appeared, was lost, moved, or has another tolerance or other terms.
   bool has_changed() const;
+  // Whether the baseline's row was one of validation (or of a kind that was not recorded) and the
+  // row is lost or a regression now.
+  bool loses_validation() const;
 };
 
-// The row's name in the campaign: "CASE: " and its name in the case (gate.hpp).
-std::string row_name(const std::string& case_name, const GateRow& row);
+// What a campaign has come to, and whether it was judged whole or by a selection of its runs.
+struct JudgedCampaign {
+  const std::vector<CaseAssessment>& cases;
+  const std::vector<ProblemAssessment>& problems;
+  bool is_partial = false;
+};
 
-// The row's metric and tolerance. Returns nullopt where the metric was not measured.
+// The row's name in the campaign: "CASE: " and its name in the case (gate.hpp), or "PROBLEM: METRIC
+// of MEASURE".
+std::string row_name(const std::string& case_name, const GateRow& row);
+std::string row_name(const std::string& problem, const ProblemGateRow& row);
+
+// The row's metric and tolerance, without terms. Returns nullopt where the metric was not measured.
 std::optional<BaselineValue> baseline_value(const GateOutcome& outcome);
 
-// Every row of the campaign, in its order, then those of the baseline that it no longer has. A row
-// that this form of the campaign leaves out, or whose record is not supplied, keeps its baseline
-// and is not among them.
-std::vector<RowMovement> movements(const Baseline& baseline,
-                                   const std::vector<CaseAssessment>& cases);
+// Every row of the campaign, in its order, then those of the baseline that are lost. A row that a
+// selection leaves out, or whose record is not supplied, keeps its baseline and is not among them.
+std::vector<RowMovement> movements(const Baseline& baseline, const JudgedCampaign& campaign);
 
 // The changes of the rows that have changed. A row that has lost its value keeps its baseline: a
-// failed measurement is no new value. A row that the campaign no longer declares is removed.
+// failed measurement is no new value. A lost row is removed. A row that has not changed and whose
+// terms are not recorded keeps its figures and gets its terms.
 std::vector<BaselineChange> proposed_changes(const std::vector<RowMovement>& movements);
 
-// "+1.2 % -> +1.9 % (2.3 uncertainties)", "new: 1.2 %", "no value any more", followed by a loosened
-// tolerance: "tolerance loosened: -1.5 % .. 1.5 % -> -2 % .. 2 %".
+// "+1.2 % -> +1.9 % (2.3 uncertainties)", "new: 1.2 %", "no value any more", "no row of this form
+// any more", followed by a changed tolerance, "tolerance loosened: -1.5 % .. 1.5 % -> -2 % .. 2 %",
+// and by changed terms, "kind: validation -> regression".
 std::string movement_text(const RowMovement& movement);
+
+// "Rows since the baseline: 2 lost (1 of validation), 1 new, 3 changed." Returns "" where there is
+// nothing to tell.
+std::string changes_sentence(const std::vector<RowMovement>& movements);
 
 }  // namespace slosh

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "verification/campaign/job_failure.hpp"
+#include <utility>
+
 #include "verification/case/solver_kinds.hpp"
+#include "verification/results/run_failure.hpp"
 #include "verification/results/timings.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
@@ -25,14 +27,9 @@ PlannedRun planned_run(const CaseDefinition& definition, const RunDefinition& ru
     return planned;
   }
   planned.key = run_key(definition, run, settings.builds, settings.openfoam_templates);
-  planned.file = settings.store.file(planned.key, ".h5");
-  try {
-    const StandingResult standing = standing_result(planned.key, ".h5", settings);
-    planned.file = standing.file;
-    planned.status = {RunState::finished, standing.message};
-  } catch (const ResultError& error) {
-    planned.status = missing_status(error.what(), planned.key, settings);
-  }
+  StandingResult standing = standing_result(planned.key, ".h5", settings);
+  planned.file = std::move(standing.file);
+  planned.status = std::move(standing.status);
   return planned;
 }
 
@@ -83,17 +80,23 @@ std::vector<PlannedRun> plan_runs(const std::vector<CaseDefinition>& cases,
 StandingResult standing_result(const std::string& key, const char* extension,
                                const CampaignSettings& settings) {
   const fs::path own = settings.store.file(key, extension);
-  if (fs::exists(own)) return {own, ""};
+  if (const auto failure = read_failure(settings.store.file(key, failure_extension)))
+    return {own,
+            settings.solve
+                ? RunStatus{RunState::missing, own.string() + " failed when it was last tried"}
+                : RunStatus{RunState::failed, failure->kind + ": " + failure->message, failure}};
+  if (fs::exists(own)) return {own, {RunState::finished, ""}};
   const auto other = settings.store.newest_file(key, extension);
   if (!other)
-    throw ResultError(
-        fmt::format("no result in {}: none was made, or for another state of the case "
-                    "file",
-                    settings.store.root().string()));
+    return {own,
+            {RunState::missing, fmt::format("no result in {}: none was made, or for another state "
+                                            "of the case file",
+                                            settings.store.root().string())}};
   constexpr const char* made_by_another_build = "made by another build or version";
   if (settings.solve)
-    throw ResultError(fmt::format("{} was {}", other->string(), made_by_another_build));
-  return {*other, made_by_another_build};
+    return {own,
+            {RunState::missing, fmt::format("{} was {}", other->string(), made_by_another_build)}};
+  return {*other, {RunState::finished, made_by_another_build}};
 }
 
 bool is_pending(const PlannedRun& planned) { return planned.status.state == RunState::missing; }

@@ -24,14 +24,17 @@ struct PlannedRun {
 std::vector<PlannedRun> plan_runs(const std::vector<CaseDefinition>& cases,
                                   const CampaignSettings& settings);
 
-// A stored result that a campaign may use: the result of the same key or, where nothing is to be
-// computed, the newest result of the same question by another build.
+// What the store holds for a key: a failure under the key outranks every result. Else it is the
+// result of the same key or, where nothing is to be computed, the newest result of the same
+// question by another build.
 struct StandingResult {
-  std::filesystem::path file;
-  std::string message;  // empty, or that it is another build's
+  std::filesystem::path file;  // of the usable result, or of the one that a run would write
+  // finished, with an empty message or that it is another build's; failed, where nothing is to be
+  // computed; or missing
+  RunStatus status;
 };
 
-// Looks for the file without reading it. Throws ResultError where there is none.
+// Looks for the files and reads the failure alone.
 StandingResult standing_result(const std::string& key, const char* extension,
                                const CampaignSettings& settings);
 

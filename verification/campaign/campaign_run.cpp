@@ -13,22 +13,21 @@
 #include "verification/campaign/campaign_plan.hpp"
 #include "verification/campaign/job_failure.hpp"
 #include "verification/campaign/problem_run.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/display/progress_display.hpp"
 #include "verification/engine/launcher.hpp"
 #include "verification/engine/slurm_engine.hpp"
 #include "verification/files/file_lock.hpp"
 #include "verification/input/case_file_error.hpp"
+#include "verification/results/result_seals.hpp"
 #include "verification/results/timings.hpp"
-#include "verification/runs/run_key.hpp"
 
 namespace slosh {
 namespace {
 
 // Enters the result under the run's name. Throws ResultError where it cannot be used.
 void take_result(const PlannedRun& planned, const CampaignSettings& settings, CaseRuns& runs) {
-  RunResult result = read_result(planned.file);
-  if (!asks_the_same(result.key, planned.key))
-    throw ResultError(planned.file.string() + " was made for another state of the case file");
+  RunResult result = read_stored(planned.file, read_result);
   // Another case or run of the same key may have made it.
   result.case_name = planned.definition->name;
   result.run_name = planned.run->name;
@@ -37,6 +36,10 @@ void take_result(const PlannedRun& planned, const CampaignSettings& settings, Ca
   runs.status[planned.run->name] = planned.status;
   runs.results[planned.run->name] = std::move(result);
   show_result(planned.file, link_to_result(settings, *planned.definition, *planned.run));
+}
+
+bool is_user_program(const RunDefinition& run) {
+  return solver_kind(run).answered_with == AnsweredWith::user_program;
 }
 
 struct StoredUnder {
@@ -95,6 +98,7 @@ struct Pending {
   Job job;
   PlannedRun* run = nullptr;
   std::optional<std::size_t> problem = {};
+  bool is_of_user_program = false;
 };
 
 // The longest come first, and before them those of which nothing is known, so that no long job is
@@ -117,10 +121,14 @@ std::vector<Pending> pending_jobs(std::vector<PlannedRun>& plan,
       pending.push_back({.job = job_for(problems[i], settings), .problem = i});
   for (PlannedRun& planned : plan)
     if (is_pending(planned))
-      pending.push_back({.job = job_for(planned, settings), .run = &planned});
+      pending.push_back({.job = job_for(planned, settings),
+                         .run = &planned,
+                         .is_of_user_program = is_user_program(*planned.run)});
   std::stable_sort(pending.begin(), pending.end(), is_started_before);
   for (const PlannedRun& planned : plan)
-    for (Job& job : timing_jobs(planned, settings)) pending.push_back({.job = std::move(job)});
+    for (Job& job : timing_jobs(planned, settings))
+      pending.push_back(
+          {.job = std::move(job), .is_of_user_program = is_user_program(*planned.run)});
   return pending;
 }
 
@@ -138,6 +146,19 @@ void tell_of_problems(const std::vector<ProblemDefinition>& problems,
   for (std::size_t i = 0; i < problems.size(); ++i)
     tell_of_another(problems[i].name, {key_of(problems[i], settings), ".json"}, standing[i].status,
                     settings);
+}
+
+// The files of the results that have been read.
+std::vector<std::filesystem::path> taken_results(const std::vector<PlannedRun>& plan,
+                                                 const std::vector<ProblemDefinition>& problems,
+                                                 const std::vector<ProblemRun>& solved,
+                                                 const CampaignSettings& settings) {
+  std::vector<std::filesystem::path> files;
+  for (const PlannedRun& planned : plan)
+    if (planned.status.state == RunState::finished) files.push_back(planned.file);
+  for (std::size_t i = 0; i < problems.size(); ++i)
+    if (solved[i].result) files.push_back(settings.store.file(solved[i].result->key, ".json"));
+  return files;
 }
 
 std::vector<JobState> run_jobs(const std::vector<Pending>& pending,
@@ -191,13 +212,25 @@ CampaignRuns run_campaign_jobs(const std::vector<CaseDefinition>& cases,
   tell_of_problems(problems, outcome.problems, settings);
   if (!settings.solve) return outcome;
 
+  const auto run_and_take = [&](const std::vector<Pending>& pending) {
+    const std::vector<JobState> states = run_jobs(pending, settings, stop);
+    for (std::size_t i = 0; i < pending.size(); ++i) {
+      const Pending& one = pending[i];
+      if (one.run) take_over(states[i], *one.run, settings, *runs_of.at(one.run->definition));
+      if (one.problem)
+        outcome.problems[*one.problem] = ended_problem(states[i], problems[*one.problem], settings);
+    }
+  };
   std::vector<Pending> pending = pending_jobs(plan, problems, outcome.problems, settings);
-  const std::vector<JobState> states = run_jobs(pending, settings, stop);
-  for (std::size_t i = 0; i < pending.size(); ++i) {
-    const Pending& one = pending[i];
-    if (one.run) take_over(states[i], *one.run, settings, *runs_of.at(one.run->definition));
-    if (one.problem)
-      outcome.problems[*one.problem] = ended_problem(states[i], problems[*one.problem], settings);
+  const auto programs = std::stable_partition(
+      pending.begin(), pending.end(), [](const Pending& one) { return !one.is_of_user_program; });
+  const std::vector<Pending> last(programs, pending.end());
+  pending.erase(programs, pending.end());
+  run_and_take(pending);
+  if (!last.empty()) {
+    const ResultSeals seals(taken_results(plan, problems, outcome.problems, settings));
+    run_and_take(last);
+    seals.require_unchanged();
   }
   take_timings(plan, settings, runs_of);
   return outcome;

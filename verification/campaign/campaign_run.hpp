@@ -1,5 +1,7 @@
 // Runs the cases and problems of a campaign, each run in a process of its own, and stores every
 // finished result under its key. A stored result is not computed again, whichever campaign made it.
+// Programs of the user's come last: all other results are then read, and are none of what such a
+// program may leave in the store.
 #pragma once
 
 #include <atomic>
@@ -23,8 +25,9 @@ struct CampaignRuns {
 };
 
 // Computes the missing results (none where settings.solve is false) and shows the progress on
-// standard error. Throws InterruptedError once `stop` is set, and CaseFileError where a run refused
-// its case; finished results are kept.
+// standard error. Throws InterruptedError once `stop` is set, CaseFileError where a run refused its
+// case, and ResultError where a program of the user's has changed a stored result (such a result is
+// removed); finished results are kept.
 CampaignRuns run_campaign_jobs(const std::vector<CaseDefinition>& cases,
                                const std::vector<ProblemDefinition>& problems,
                                const CampaignSettings& settings, const std::atomic<bool>& stop);

@@ -83,12 +83,4 @@ RunStatus status_without_result(const JobState& state, const std::filesystem::pa
   return {RunState::failed, description(state) + ": " + failure->message, failure};
 }
 
-RunStatus missing_status(const std::string& message, const std::string& key,
-                         const CampaignSettings& settings) {
-  if (!settings.solve)
-    if (const auto failure = read_failure(settings.store.file(key, failure_extension)))
-      return {RunState::failed, failure->kind + ": " + failure->message, failure};
-  return {RunState::missing, message};
-}
-
 }  // namespace slosh

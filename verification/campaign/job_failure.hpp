@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <string>
 
-#include "verification/campaign/campaign_settings.hpp"
 #include "verification/engine/job.hpp"
 #include "verification/gate/gate.hpp"
 
@@ -18,10 +17,5 @@ std::string first_error_line(const std::filesystem::path& log);
 // whose result could not be stored, is missing. A run whose solver failed has written the reason to
 // `failure_file` (run_failure.hpp); for any other end the reason is written there now, if possible.
 RunStatus status_without_result(const JobState& state, const std::filesystem::path& failure_file);
-
-// Returns the status of a run or a problem without a usable result: where it is not to be computed
-// the last failure under its key, or else that the result is missing, with this message.
-RunStatus missing_status(const std::string& message, const std::string& key,
-                         const CampaignSettings& settings);
 
 }  // namespace slosh

@@ -14,14 +14,14 @@ std::string key_of(const ProblemDefinition& problem, const CampaignSettings& set
 
 ProblemRun standing_problem(const ProblemDefinition& problem, const CampaignSettings& settings) {
   if (!names_problem(settings.selection, problem.name)) return {{RunState::not_selected, ""}, {}};
-  const std::string key = key_of(problem, settings);
+  const StandingResult standing = standing_result(key_of(problem, settings), ".json", settings);
+  if (standing.status.state != RunState::finished) return {standing.status, {}};
   try {
-    const StandingResult standing = standing_result(key, ".json", settings);
-    ProblemResult result = read_problem_result(standing.file);
+    ProblemResult result = read_stored(standing.file, read_problem_result);
     show_result(standing.file, settings.output / "problems" / (problem.name + ".json"));
-    return {{RunState::finished, standing.message}, std::move(result)};
+    return {standing.status, std::move(result)};
   } catch (const ResultError& error) {
-    return {missing_status(error.what(), key, settings), {}};
+    return {{RunState::missing, error.what()}, {}};
   }
 }
 

@@ -51,7 +51,7 @@ RunResult theory_result(const CaseDefinition& definition, const RunDefinition& r
   const std::string key =
       run_key(definition, run, installation.builds, installation.openfoam_templates);
   try {
-    return read_result(store.file(key, ".h5"));
+    return read_stored(store.file(key, ".h5"), read_result);
   } catch (const ResultError&) {  // it is not there
   }
   const std::string command = "./slosh run " + name_or_path(definition.file, installation.cases) +

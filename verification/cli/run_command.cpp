@@ -23,6 +23,7 @@
 #include "verification/gate/gate.hpp"
 #include "verification/problems/problem_list.hpp"
 #include "verification/results/progress_file.hpp"
+#include "verification/results/result_seals.hpp"
 #include "verification/runs/expected_cost.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
@@ -135,6 +136,23 @@ bool is_as_a_campaign_computes(const RunOptions& options) {
   return options.state_interval == 0 && options.resume.empty();
 }
 
+// Returns the result of a run that is not for the store, and records a failure there all the same.
+// A result of Slosh's own solvers that stands under the key outlives a failure here: the disk or
+// the directory was another.
+RunResult attempted(const RunDefinition& run, const ResultStore& store, const std::string& key,
+                    const std::function<RunResult()>& compute) {
+  const bool is_program = solver_kind(run).answered_with == AnsweredWith::user_program;
+  const ResultSeals seals(is_program ? store.results() : std::vector<fs::path>());
+  try {
+    RunResult result = compute();
+    seals.require_unchanged();
+    return result;
+  } catch (const SolverError& error) {
+    if (is_program || !fs::exists(store.file(key, ".h5"))) keep_failure(store, key, error.failure);
+    throw;
+  }
+}
+
 int run_listed_job(std::size_t index, const std::atomic<bool>& stop) {
   run_job(JobList::open(fs::current_path()), index, stop);
   return exit_pass;  // the list records how it ended
@@ -181,10 +199,11 @@ int run_one(const RunOptions& options, const Installation& installation) {
     });
     return exit_pass;
   }
-  const RunResult result = compute();
+  const ResultStore usual(usual_store(installation));
+  const bool is_attempt = is_as_a_campaign_computes(options) && options.time_limit == 0;
+  const RunResult result = is_attempt ? attempted(run, usual, key, compute) : compute();
   const int status = leave_result(result, file, settings, definition, run);
-  if (is_as_a_campaign_computes(options))
-    keep_copy(ResultStore(usual_store(installation)), key, result);
+  if (is_as_a_campaign_computes(options)) keep_copy(usual, key, result);
   return status;
 }
 

@@ -79,15 +79,14 @@ void take(const PlannedRun& planned, const std::string& way, Stored& stored) {
   const std::string& name = planned.run->name;
   RunStatus& status = stored.runs.status[name] = planned.status;
   if (status.state == RunState::finished) try {
-      stored.runs.results[name] = read_result(planned.file);
+      stored.runs.results[name] = read_stored(planned.file, read_result);
       if (!status.message.empty()) stored.remarks.push_back(name + " was " + status.message);
       return;
     } catch (const ResultError& error) {
       status = {RunState::missing, error.what()};
     }
-  const bool can_be_computed = status.state != RunState::not_supplied;
-  stored.remarks.push_back(
-      fmt::format("{} is not there: {}", name, can_be_computed ? way : status.message));
+  stored.remarks.push_back(fmt::format("{} is not there: {}", name,
+                                       status.state == RunState::missing ? way : status.message));
 }
 
 Stored stored_runs(const CaseDefinition& definition, const ShowOptions& options,

@@ -12,13 +12,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns whether the file holds a usable result.
+// Returns whether the key has a usable result, and did not fail when it was last tried.
 template <class Read>
-bool stands(const fs::path& file, Read read) try {
-  read(file);
+bool stands(const ResultStore& store, const std::string& key, const char* extension,
+            const Read& read) try {
+  if (read_failure(store.file(key, failure_extension))) return false;
+  read_stored(store.file(key, extension), read);
   return true;
 } catch (const ResultError&) {
   return false;
+}
+
+void record_failure(const ResultStore& store, const std::string& key, const RunFailure& why) try {
+  write_failure(why, store.file(key, failure_extension));
+} catch (const ResultError&) {  // a full disk must not hide the failure
 }
 
 // Returns the name of a series in which the results differ, or an empty text.
@@ -31,19 +38,16 @@ std::string difference(const RunResult& one, const RunResult& other) {
   return "";
 }
 
-// Returns the result of `compute`. If its solver fails, the reason is written to the file, which
-// holds only that of the last attempt.
-template <class Result>
-Result computed(const std::function<Result()>& compute, const fs::path& failure_file) {
-  fs::remove(failure_file);
+// Writes to a key of the store unless another process holds it, and tells of a store that cannot be
+// written.
+void if_free(const ResultStore& store, const std::string& key, const std::function<void()>& write) {
+  struct Held {};
   try {
-    return compute();
-  } catch (const SolverError& error) {
-    try {
-      write_failure(error.failure, failure_file);
-    } catch (const ResultError&) {  // a full disk must not hide the failure
-    }
-    throw;
+    const StoreLock lock(store, key, [] { throw Held(); });
+    write();
+  } catch (const Held&) {
+  } catch (const std::runtime_error& error) {
+    std::cerr << "slosh: no campaign can take the result: " << error.what() << "\n";
   }
 }
 
@@ -52,7 +56,13 @@ void keep(const ResultStore& store, const std::string& key, const char* extensio
           Write write, const std::function<Result()>& compute) {
   const StoreLock lock(store, key);
   const fs::path file = store.file(key, extension);
-  if (!stands(file, read)) write(computed(compute, store.file(key, failure_extension)), file);
+  if (!stands(store, key, extension, read)) try {
+      write(compute(), file);
+      fs::remove(store.file(key, failure_extension));  // of an earlier attempt
+    } catch (const SolverError& error) {
+      record_failure(store, key, error.failure);
+      throw;
+    }
   std::cout << "result: " << file.string() << "\n";
 }
 
@@ -69,17 +79,15 @@ void keep_problem(const ResultStore& store, const std::string& key,
 }
 
 void keep_copy(const ResultStore& store, const std::string& key, const RunResult& result) {
-  struct Held {};
-  const fs::path file = store.file(key, ".h5");
-  try {
-    const StoreLock lock(store, key, [] { throw Held(); });
-    if (stands(file, read_result)) return;
-    write_result(result, file);
+  if_free(store, key, [&] {
+    if (stands(store, key, ".h5", read_result)) return;
+    write_result(result, store.file(key, ".h5"));
     fs::remove(store.file(key, failure_extension));
-  } catch (const Held&) {
-  } catch (const std::runtime_error& error) {
-    std::cerr << "slosh: no campaign can take the result: " << error.what() << "\n";
-  }
+  });
+}
+
+void keep_failure(const ResultStore& store, const std::string& key, const RunFailure& why) {
+  if_free(store, key, [&] { record_failure(store, key, why); });
 }
 
 void time_run(const ResultStore& store, const std::string& key, double longest,
@@ -89,7 +97,7 @@ void time_run(const ResultStore& store, const std::string& key, double longest,
     std::cout << "there is no result whose run could be repeated\n";
     return;
   }
-  const RunResult kept = read_result(store.file(key, ".h5"));
+  const RunResult kept = read_stored(store.file(key, ".h5"), read_result);
   if (kept.cost.core_seconds() > longest) {
     std::cout << fmt::format("not repeated: it takes more than {} s\n", longest);
     return;

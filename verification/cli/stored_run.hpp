@@ -6,6 +6,7 @@
 #include "verification/problems/problem_result.hpp"
 #include "verification/results/result_file.hpp"
 #include "verification/results/result_store.hpp"
+#include "verification/results/run_failure.hpp"
 
 namespace slosh {
 
@@ -21,6 +22,10 @@ void keep_problem(const ResultStore& store, const std::string& key,
 // there is a usable result, or if another process holds the key and so computes the same. A store
 // that cannot be written is only reported on standard error: the result itself is already written.
 void keep_copy(const ResultStore& store, const std::string& key, const RunResult& result);
+
+// Records that a run failed which was not started for the store (run_failure.hpp): a report must
+// not take an older result instead. Does nothing where another process holds the key.
+void keep_failure(const ResultStore& store, const std::string& key, const RunFailure& why);
 
 // Adds the cost of `compute` to the timings of the key. Skips a run without a result, and one that
 // took more than `longest` seconds of processor time. Throws ResultError if the series differ from

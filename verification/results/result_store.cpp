@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "verification/files/result_error.hpp"
+
 namespace slosh {
 namespace {
 
@@ -79,6 +81,14 @@ std::vector<std::string> ResultStore::keys() const {
   return {found.begin(), found.end()};
 }
 
+std::vector<fs::path> ResultStore::results() const {
+  std::vector<fs::path> found;
+  for (const std::string& key : keys())
+    for (const char* extension : {".h5", ".json"})
+      if (fs::path one = file(key, extension); fs::exists(one)) found.push_back(std::move(one));
+  return found;
+}
+
 std::vector<fs::path> ResultStore::contents(const std::string& key) const {
   std::vector<fs::path> found;
   const std::string answer = answer_of(key);
@@ -104,6 +114,14 @@ bool ResultStore::remove(const std::string& key) const {
   } catch (const InUse&) {
     return false;
   }
+}
+
+void require_key_of_place(const std::string& key, const fs::path& file) {
+  const std::string named = file.parent_path().filename().string() + "-" + file.stem().string();
+  if (key != named)
+    throw ResultError(
+        fmt::format("{}: holds the result of the key {}, expected that of its place, {}",
+                    file.string(), key, named));
 }
 
 StoreLock::StoreLock(const ResultStore& store, const std::string& key,

@@ -37,6 +37,9 @@ class ResultStore {
   // Returns the keys that have files, sorted. Files that no key names do not belong to the store.
   std::vector<std::string> keys() const;
 
+  // Returns the files of all results.
+  std::vector<std::filesystem::path> results() const;
+
   // Returns the size of all files of the key [byte].
   std::uintmax_t size(const std::string& key) const;
 
@@ -49,6 +52,18 @@ class ResultStore {
 
   std::filesystem::path root_;
 };
+
+// Throws ResultError unless the key is the one that the file's place in the store names.
+void require_key_of_place(const std::string& key, const std::filesystem::path& file);
+
+// Returns the result in a file of the store, which `read` reads. Throws ResultError where it cannot
+// be used: a result that was copied there from the place of another key is none.
+template <class Read>
+auto read_stored(const std::filesystem::path& file, const Read& read) {
+  auto result = read(file);
+  require_key_of_place(result.key, file);
+  return result;
+}
 
 // Holds a key of the store for this process alone during its lifetime, and removes the half-written
 // files of a process that died there. Waits for another process that holds the key. Throws

@@ -29,12 +29,13 @@ void write_failure(const RunFailure& failure, const std::filesystem::path& file)
 }
 
 std::optional<RunFailure> read_failure(const std::filesystem::path& file) try {
+  if (!std::filesystem::exists(std::filesystem::symlink_status(file))) return std::nullopt;
   const nlohmann::json body = read_sealed_json(failure_format, file);
   return RunFailure{body.at("kind"), body.at("message"), body.at("details"), body.at("log")};
-} catch (const ResultError&) {
-  return std::nullopt;
-} catch (const nlohmann::json::exception&) {
-  return std::nullopt;
+} catch (const ResultError& error) {
+  return RunFailure{"error", error.what(), "", ""};
+} catch (const nlohmann::json::exception& error) {
+  return RunFailure{"error", file.string() + ": " + error.what(), "", ""};
 }
 
 }  // namespace slosh

@@ -21,7 +21,8 @@ struct RunFailure {
 // Throws ResultError.
 void write_failure(const RunFailure& failure, const std::filesystem::path& file);
 
-// Returns nullopt where the file is absent, altered or of another kind.
+// Returns nullopt where the file is absent. A file that cannot be read tells of a failure too: its
+// message says why it cannot.
 std::optional<RunFailure> read_failure(const std::filesystem::path& file);
 
 // The solver failed, could not use its directories, or left series that end early or hold NaN or

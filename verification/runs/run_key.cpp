@@ -154,6 +154,14 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
   return question.digits() + "-" + answer.digits();
 }
 
+std::string setup_hash(const CaseDefinition& definition, const std::set<std::string>& names) {
+  json setup{{"case", physics(definition)}, {"runs", json::array()}};
+  for (const RunDefinition& run : definition.runs)
+    if (names.contains(run.name) || names.contains(run.ensemble))
+      setup["runs"].push_back(hashed_settings(run));
+  return content_hash(setup.dump());
+}
+
 PresentAnswers present_answers(const fs::path& builds, const fs::path& openfoam_templates) {
   PresentAnswers present;
   present.unknown_solvers.merge(solvers_answered_with(AnsweredWith::user_program));

@@ -27,6 +27,11 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
                     const std::filesystem::path& builds,
                     const std::filesystem::path& openfoam_templates);
 
+// Returns 32 digits: the hash of the physical part of the case and of the settings of the runs and
+// ensembles of these names, as they enter the questions of their keys, but not of the content of a
+// program's files.
+std::string setup_hash(const CaseDefinition& definition, const std::set<std::string>& names);
+
 // The second halves of the keys of all results that these builds and the installed OpenFOAM give.
 struct PresentAnswers {
   std::set<std::string> answers;

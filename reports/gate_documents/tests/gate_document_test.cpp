@@ -101,8 +101,30 @@ TEST(GateDocument, ListsInMarkdownWhatIsNotSimplyAPassAndCountsTheRest) {
   EXPECT_LT(at("**not compared**"), at("**inconclusive**"));
   EXPECT_LT(at("unsure"), at("tolerance loosened"));
   EXPECT_EQ(at("| fine"), text.npos);
-  EXPECT_NE(at("2 more rows passed unmoved"), text.npos);
+  EXPECT_NE(at("\n1 rows pass and have not changed.\n"), text.npos);
+  EXPECT_NE(at("\n1 rows are not selected, or their records are not supplied.\n"), text.npos);
   EXPECT_NE(at("3 % is not &lt;= 1 % \\| at all"), text.npos);  // the bar would end the cell
+}
+
+TEST(GateDocument, TellsALostRowAndCountsItAsAFailure) {
+  GateDocument gate = document();
+  gate.entries = {entry(GateOutcomeKind::lost, "gone"), entry(GateOutcomeKind::skipped, "moved")};
+  gate.entries[1].moved = "no row of this form any more";
+  const std::string text = gate_markdown(gate);
+  EXPECT_NE(text.find("| **lost** |"), text.npos) << text;
+  EXPECT_NE(text.find("| no row of this form any more |"), text.npos) << text;
+  const auto suites = parsed(junit_xml(gate)).get_child("testsuites");
+  EXPECT_EQ(suites.get<int>("<xmlattr>.failures"), 1);
+  EXPECT_EQ(suites.get<int>("<xmlattr>.skipped"), 1);
+}
+
+TEST(GateDocument, CallsInconclusiveRowsSkippedWhereTheyPass) {
+  GateDocument gate = document();
+  gate.inconclusive_passes = true;
+  const auto suites = parsed(junit_xml(gate)).get_child("testsuites");
+  EXPECT_EQ(suites.get<int>("<xmlattr>.failures"), 1);
+  EXPECT_EQ(suites.get<int>("<xmlattr>.skipped"), 2);
+  EXPECT_NE(gate_markdown(gate).find("**inconclusive**"), std::string::npos);
 }
 
 TEST(GateDocument, HoldsNoTagOfANameInItsMarkdown) {

@@ -52,6 +52,12 @@ TEST(RecordedCampaign, IsRefusedWhereTheTextIsOfSomethingElse) {
   odd["exit_status"] = 77;
   EXPECT_THROW(recorded_campaign(odd.dump(), "x"), std::invalid_argument);
   odd["exit_status"] = 0;
+  EXPECT_NO_THROW(recorded_campaign(odd.dump(), "x"));
+  for (const char* verdict : {"violated", "solver failed", "inconclusive", "good"}) {
+    nlohmann::json forged = odd;
+    forged["cases"][0]["gate"][0]["verdict"] = verdict;
+    EXPECT_THROW(recorded_campaign(forged.dump(), "x"), std::invalid_argument) << verdict;
+  }
   odd["model_bias"][0]["comparisons"][0].erase("predicted");
   EXPECT_THROW(recorded_campaign(odd.dump(), "x"), std::invalid_argument);
 }
@@ -99,7 +105,7 @@ TEST(RecordedCampaigns, HaveTheWorstExitStatusOfAll) {
   const auto worst = [](const std::vector<int>& statuses) {
     std::vector<RecordedCampaign> campaigns;
     for (const int status : statuses) campaigns.push_back({"a", false, status, 0, 0, "", {}});
-    return exit_status(campaigns);
+    return exit_status(campaigns, {});
   };
   EXPECT_EQ(worst({0, 5, 0}), 5);
   EXPECT_EQ(worst({5, 4}), 4);
@@ -107,6 +113,10 @@ TEST(RecordedCampaigns, HaveTheWorstExitStatusOfAll) {
   EXPECT_EQ(worst({1, 3}), 3);
   EXPECT_EQ(worst({0}), 0);
   EXPECT_EQ(worst({}), 4);
+  const std::vector<RecordedCampaign> passed{{"a", false, 0, 0, 0, "", {}}},
+      violated{{"a", false, 1, 0, 0, "", {}}};
+  EXPECT_EQ(exit_status(passed, {"a report that could not be read"}), 4);
+  EXPECT_EQ(exit_status(violated, {"a report that could not be read"}), 1);
 }
 
 }  // namespace

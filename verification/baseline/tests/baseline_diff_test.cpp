@@ -33,13 +33,19 @@ GateOutcome outcome(double value, double half_width, double limit,
 std::vector<CaseAssessment> campaign(const GateOutcome& row) {
   CaseAssessment assessment{};
   assessment.definition.name = "surge";
+  assessment.definition.window_begin = assessment.definition.window_end = 0;
   assessment.gate = {row};
   return {assessment};
 }
 
 const Baseline baseline{{amplitude_row, {0.01, 0.003, -0.05, 0.05}}};
 
-RowMovement movement(const GateOutcome& row) { return movements(baseline, campaign(row)).at(0); }
+std::vector<RowMovement> moved_in(const Baseline& before, const std::vector<CaseAssessment>& cases,
+                                  bool is_partial = false) {
+  return movements(before, {cases, {}, is_partial});
+}
+
+RowMovement movement(const GateOutcome& row) { return moved_in(baseline, campaign(row)).at(0); }
 
 TEST(BaselineDiff, SaysByHowManyUncertaintiesAMetricHasMoved) {
   const RowMovement moved = movement(outcome(0.02, 0.004, 0.05));
@@ -60,26 +66,27 @@ TEST(BaselineDiff, OfTheSameFiguresIsNone) {
 TEST(BaselineDiff, OfAChangeWithinTheIntervalsIsNone) {
   EXPECT_FALSE(movement(outcome(0.013, 0.003, 0.05)).has_changed());
   EXPECT_TRUE(movement(outcome(0.015, 0.003, 0.05)).has_changed());
-  EXPECT_TRUE(proposed_changes({movement(outcome(0.013, 0.003, 0.05))}).empty());
 }
 
 TEST(BaselineDiff, OfWhatMachinesRoundDifferentlyIsNone) {
   const Baseline exact{{amplitude_row, {0.01, 0, -0.05, 0.05}}};
-  EXPECT_FALSE(movements(exact, campaign(outcome(0.01 + 4e-8, 0, 0.05))).at(0).has_changed());
-  EXPECT_TRUE(movements(exact, campaign(outcome(0.01 + 6e-8, 0, 0.05))).at(0).has_changed());
+  EXPECT_FALSE(moved_in(exact, campaign(outcome(0.01 + 4e-8, 0, 0.05))).at(0).has_changed());
+  EXPECT_TRUE(moved_in(exact, campaign(outcome(0.01 + 6e-8, 0, 0.05))).at(0).has_changed());
 }
 
 TEST(BaselineDiff, LeavesTimingsOut) {
   GateOutcome cost = outcome(3, 0.1, 5);
   cost.row.metric = Metric::cost_to_reach;
-  EXPECT_TRUE(movements({}, campaign(cost)).empty());
+  EXPECT_TRUE(moved_in({}, campaign(cost)).empty());
 }
 
 TEST(BaselineDiff, TellsALoosenedToleranceEvenWhereNothingMoved) {
   const RowMovement moved = movement(outcome(0.01, 0.003, 0.06));
   EXPECT_TRUE(moved.loosened);
   EXPECT_EQ(movement_text(moved), "unmoved, tolerance loosened: -5 % .. +5 % -> -6 % .. +6 %");
-  EXPECT_FALSE(movement(outcome(0.01, 0.003, 0.04)).loosened);
+  const RowMovement tightened = movement(outcome(0.01, 0.003, 0.04));
+  EXPECT_FALSE(tightened.loosened);
+  EXPECT_EQ(movement_text(tightened), "unmoved, tolerance tightened: -5 % .. +5 % -> -4 % .. +4 %");
 }
 
 using Range = std::pair<double, double>;
@@ -89,7 +96,7 @@ TEST(BaselineDiff, CallsARangeThatIsNarrowerAtOneEndAndWiderAtTheOtherMoved) {
   shifted.row.limit = std::nullopt;
   shifted.row.between = Range{0.02, 0.12};
   const Baseline before{{amplitude_row, {0.05, 0, 0.0, 0.1}}};
-  EXPECT_EQ(movement_text(movements(before, campaign(shifted)).at(0)),
+  EXPECT_EQ(movement_text(moved_in(before, campaign(shifted)).at(0)),
             "unmoved, tolerance moved: +0 % .. +10 % -> +2 % .. +12 %");
 }
 
@@ -97,7 +104,7 @@ bool is_loosened(Range before, std::optional<Range> after) {
   GateOutcome moved = outcome(0, 0, 0);
   moved.row.limit = std::nullopt;
   moved.row.between = after;
-  return movements({{amplitude_row, {0, 0, before.first, before.second}}}, campaign(moved))
+  return moved_in({{amplitude_row, {0, 0, before.first, before.second}}}, campaign(moved))
       .at(0)
       .loosened;
 }
@@ -125,31 +132,111 @@ TEST(BaselineDiff, TellsALimitFromAnImprovementOfTheSameMetric) {
 
 TEST(BaselineDiff, AMetricWithoutIntervalsThatMovedDidSoBeyondAllUncertainty) {
   const Baseline exact{{amplitude_row, {0.01, 0, -0.05, 0.05}}};
-  const auto moved = movements(exact, campaign(outcome(0.02, 0, 0.05))).at(0);
+  const auto moved = moved_in(exact, campaign(outcome(0.02, 0, 0.05))).at(0);
   EXPECT_TRUE(std::isinf(moved.uncertainties));
   EXPECT_EQ(movement_text(moved), "+1 % -> +2 % (no interval)");
 }
 
 TEST(BaselineDiff, WritesAsManyDigitsAsTellTheValuesApart) {
   const Baseline exact{{amplitude_row, {0.01, 0, -0.05, 0.05}}};
-  const auto moved = movements(exact, campaign(outcome(0.0100004, 0, 0.05))).at(0);
+  const auto moved = moved_in(exact, campaign(outcome(0.0100004, 0, 0.05))).at(0);
   EXPECT_EQ(movement_text(moved), "+1 % -> +1.00004 % (no interval)");
 }
 
-TEST(BaselineDiff, LeavesAloneWhatThisFormOfTheCampaignLeavesOut) {
+TEST(BaselineDiff, LeavesAloneWhatASelectionLeavesOutAndWhatTheUserDoesNotHave) {
+  constexpr bool is_partial = true;
   EXPECT_TRUE(
-      movements(baseline, campaign(outcome(nan, nan, 0.05, Verdict::not_selected))).empty());
-  EXPECT_TRUE(
-      movements(baseline, campaign(outcome(nan, nan, 0.05, Verdict::not_supplied))).empty());
+      moved_in(baseline, campaign(outcome(nan, nan, 0.05, Verdict::not_selected)), is_partial)
+          .empty());
+  EXPECT_TRUE(moved_in(baseline, campaign(outcome(nan, nan, 0.05, Verdict::not_supplied))).empty());
+}
+
+// The baseline of a form holds what that form judged: a run is no longer marked as quick.
+TEST(BaselineDiff, ARowThatTheWholeFormLeavesOutIsLost) {
+  const auto moved = moved_in(baseline, campaign(outcome(nan, nan, 0.05, Verdict::not_selected)));
+  ASSERT_EQ(moved.size(), 1U);
+  EXPECT_TRUE(moved[0].lost);
+  EXPECT_TRUE(moved[0].loses_validation());
 }
 
 TEST(BaselineDiff, ProposesToForgetARowThatIsNoLongerDeclared) {
-  const auto gone = movements(baseline, {});
+  const auto gone = moved_in(baseline, {});
   ASSERT_EQ(gone.size(), 1U);
-  EXPECT_EQ(movement_text(gone[0]), "no row any more");
+  EXPECT_EQ(movement_text(gone[0]), "no row of this form any more");
+  EXPECT_EQ(changes_sentence(gone), "Rows since the baseline: 1 lost (1 of validation).");
   const auto changes = proposed_changes(gone);
   ASSERT_EQ(changes.size(), 1U);
   EXPECT_FALSE(changes[0].after.has_value());
+}
+
+TEST(BaselineDiff, ALostRowOfRegressionLosesNoValidation) {
+  Baseline before = baseline;
+  before.begin()->second.terms = RowTerms{"regression", "", "", ""};
+  const auto gone = moved_in(before, {});
+  EXPECT_TRUE(gone.at(0).lost);
+  EXPECT_FALSE(gone.at(0).loses_validation());
+}
+
+GateOutcome of_candidate(const std::string& name) {
+  GateOutcome row = outcome(0.01, 0.003, 0.05);
+  row.row.candidate = name;
+  return row;
+}
+
+TEST(BaselineDiff, NamesTheRowThatALostOneMayBeNow) {
+  const auto moved = moved_in(baseline, campaign(of_candidate("sph_2")));
+  ASSERT_EQ(moved.size(), 2U);
+  EXPECT_EQ(movement_text(moved[0]), "new: +1 %; it may have been " + amplitude_row);
+  EXPECT_TRUE(moved[1].lost);
+  EXPECT_EQ(moved[1].other_name, moved[0].row);
+  GateOutcome other_metric = of_candidate("sph_2");
+  other_metric.row.metric = Metric::phase_lag;
+  EXPECT_EQ(moved_in(baseline, campaign(other_metric)).at(1).other_name, "");
+}
+
+TEST(BaselineDiff, TellsOtherTermsWhereTheBaselineRecordsThem) {
+  Baseline before = baseline;
+  before.begin()->second.terms = movement(outcome(0.01, 0.003, 0.05)).after->terms;
+  std::vector<CaseAssessment> now = campaign(outcome(0.01, 0.003, 0.05));
+  EXPECT_FALSE(moved_in(before, now).at(0).has_changed());
+  now.front().definition.window_begin += 2;
+  now.front().gate.front().row.kind = RowKind::regression;
+  const RowMovement moved = moved_in(before, now).at(0);
+  EXPECT_TRUE(moved.has_changed());
+  EXPECT_TRUE(moved.loses_validation());
+  const std::string text = movement_text(moved);
+  EXPECT_NE(text.find("kind: validation -> regression, window: 0 .. 0 s -> 2 .. 0 s"), text.npos)
+      << text;
+}
+
+TEST(BaselineDiff, ProposesTheTermsOfRowsThatHaveNotChanged) {
+  const auto changes = proposed_changes({movement(outcome(0.0101, 0.003, 0.05))});
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes[0].before, baseline.at(amplitude_row));
+  EXPECT_EQ(changes[0].after->value, 0.01) << "the figures stand";
+  EXPECT_EQ(changes[0].after->terms.value().kind, "validation");
+  const TemporaryDirectory temporary;
+  write_proposal({"surges", changes}, temporary.path() / "proposal.json");
+  EXPECT_EQ(read_proposal(temporary.path() / "proposal.json").changes, changes);
+}
+
+TEST(BaselineDiff, KnowsTheRowsOfProblems) {
+  ProblemAssessment problem{};
+  problem.definition.name = "kernels";
+  problem.gate = {{{"moment", ProblemMetric::error_at_finest, "1", 0.1, {}, "", "", {}},
+                   Verdict::pass,
+                   1e-9,
+                   ""}};
+  const std::string row = "kernels: error_at_finest of moment";
+  const std::vector<CaseAssessment> none;
+  const std::vector<ProblemAssessment> problems{problem};
+  const auto found = movements({}, {none, problems});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].row, row);
+  EXPECT_EQ(found[0].after->upper, 0.1);
+  const Baseline known{{row, {2e-9, 1e-4, {}, 0.1}}};
+  EXPECT_FALSE(movements(known, {none, problems}).at(0).has_changed()) << "round-off";
+  EXPECT_TRUE(movements(known, {none, {}}).at(0).loses_validation());
 }
 
 TEST(BaselineProposal, OutlivesItsFile) {

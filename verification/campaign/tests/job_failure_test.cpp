@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
+#include "verification/campaign/campaign_plan.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::job_failure_test {
@@ -35,9 +38,16 @@ TEST(JobFailure, IsKeptOfAJobThatWasLost) {
   EXPECT_EQ(status.state, RunState::failed);
   EXPECT_EQ(status.failure.value().kind, "lost");
   EXPECT_EQ(read_failure(file).value().kind, "lost");
-  EXPECT_EQ(missing_status("no result", key, settings).state, RunState::missing) << "tried again";
+  std::ofstream(settings.store.file(key, ".h5")) << "an older result of the key";
+  std::ofstream(settings.store.file("question-other", ".h5")) << "another build's";
+  const auto state = [&] { return standing_result(key, ".h5", settings).status.state; };
+  EXPECT_EQ(state(), RunState::missing) << "tried again";
   settings.solve = false;
-  EXPECT_EQ(missing_status("no result", key, settings).state, RunState::failed);
+  EXPECT_EQ(state(), RunState::failed);
+  std::ofstream(file) << "what it was cannot be read";
+  EXPECT_EQ(state(), RunState::failed);
+  std::filesystem::remove(file);
+  EXPECT_EQ(state(), RunState::finished);
 }
 
 }  // namespace

@@ -12,6 +12,16 @@
 
 namespace slosh {
 
+namespace {
+
+// A row whose record is not in the directory that the user named was to be judged.
+void miss_records(CaseAssessment& assessment) {
+  for (GateOutcome& outcome : assessment.gate)
+    if (outcome.verdict == Verdict::not_supplied) outcome.verdict = Verdict::not_compared;
+}
+
+}  // namespace
+
 AssessedCampaign assess(RequestedCampaign campaign, const std::atomic<bool>& stop) {
   CampaignRuns runs =
       run_campaign_jobs(campaign.cases, campaign.definition.problems, campaign.settings, stop);
@@ -19,6 +29,7 @@ AssessedCampaign assess(RequestedCampaign campaign, const std::atomic<bool>& sto
   assessed.cases.resize(campaign.cases.size());
   reports::side_by_side(campaign.cases.size(), sph::usable_cores(), [&](std::size_t i) {
     assessed.cases[i] = assess(campaign.cases[i], std::move(runs.cases[i]));
+    if (!campaign.settings.experiments.empty()) miss_records(assessed.cases[i]);
   });
   for (std::size_t i = 0; i < runs.problems.size(); ++i)
     assessed.problems.push_back(

@@ -41,7 +41,7 @@ MovedRows moved_rows(const CampaignOptions& options, const Installation& install
   const AssessedCampaign assessed = assess_present(options, installation);
   return {assessed.definition.name + (options.selection.quick ? " (quick form)" : ""), ledger,
           assessed.output / "baseline_proposal.json",
-          movements(baseline_of(read_ledger(ledger)), assessed.cases)};
+          movements(baseline_of(read_ledger(ledger)), {assessed.cases, assessed.problems})};
 }
 
 // Prints the rows that have changed, and returns their number.

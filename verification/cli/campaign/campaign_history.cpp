@@ -42,7 +42,7 @@ std::optional<EarlierResult> result_in(const CampaignState& state, const CaseAss
       !asks_the_same(earlier->second, present))
     return std::nullopt;
   CaseRuns runs;
-  runs.results[row.candidate] = read_result(store.file(earlier->second, ".h5"));
+  runs.results[row.candidate] = read_stored(store.file(earlier->second, ".h5"), read_result);
   add_filtered_pressures(assessment.definition, runs);
   if (!has_series(runs, row.candidate, row.quantity)) return std::nullopt;
   const auto judged = state.rows.find(row_name(name, row));

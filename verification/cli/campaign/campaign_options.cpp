@@ -40,9 +40,10 @@ void add_inconclusive_option(CLI::App& command, CampaignOptions& options) {
 
 void add_ledger_option(CLI::App& command, CampaignOptions& options) {
   command
-      .add_option("--ledger", options.ledger,
-                  "The baselines' ledger (default: verification/baselines/NAME.jsonl, with -quick "
-                  "after the NAME of a quick form)")
+      .add_option(
+          "--ledger", options.ledger,
+          "The baselines' ledger (default: NAME.jsonl, with -quick after the NAME of a quick "
+          "form, in verification/baselines or, of a campaign of yours, beside its file)")
       ->type_name(file_type);
 }
 

@@ -29,7 +29,7 @@ struct CampaignOptions {
   std::filesystem::path experiments;  // empty: none is named
   // Empty: <build>/campaigns/<name>, with "-quick" for the quick form.
   std::filesystem::path output;
-  // The ledger of baselines; absent: <baselines>/<name>.jsonl, likewise.
+  // The ledger of baselines; absent: as baselines_of() says, <name>.jsonl, likewise.
   std::optional<std::filesystem::path> ledger = {};
   bool new_ledger = false;  // begin a new ledger
 };

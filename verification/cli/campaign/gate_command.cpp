@@ -3,14 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
-#include "reports/summary/campaign_report.hpp"
-#include "verification/assessment/row_kinds.hpp"
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/cli/campaign/gate_files.hpp"
-#include "verification/sensitivity/case_coverage.hpp"
 #include "verification/texts/assessment_text.hpp"
 
 namespace slosh {
@@ -18,31 +16,73 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int gate_campaign(const CampaignOptions& options, const Installation& installation,
-                  const std::atomic<bool>& stop) {
-  RequestedCampaign campaign = requested(options, installation);
-  const fs::path ledger = ledger_of(options, campaign.definition, installation);
-  const Baseline baseline = baseline_of(read_ledger(ledger));
-  const AssessedCampaign assessed = assess(std::move(campaign), stop);
-  const std::vector<RowMovement> moved = movements(baseline, assessed.cases);
-  std::cerr << complaints(assessed.cases, assessed.problems);
-  print_lines(gate_lines(assessed.cases, assessed.problems));
-  if (!holds_approvals(ledger))
+// Prints what has changed since the baseline.
+void print_changes(const GateFindings& findings, const fs::path& ledger) {
+  if (!findings.has_baseline) {
     print_lines(
         fmt::format("no baseline    {} is not there: nothing is compared with earlier figures; "
                     "`slosh baseline propose --new` and `approve --new` begin one\n",
                     ledger.string()));
-  for (const RowMovement& movement : moved)
-    if (movement.before && movement.has_changed())
-      print_lines(fmt::format("moved          {}: {}\n", movement.row, movement_text(movement)));
+    return;
+  }
+  for (const RowMovement& movement : findings.movements)
+    if (movement.has_changed())
+      print_lines(fmt::format("{:<14} {}: {}\n",
+                              movement.lost     ? "lost"
+                              : movement.before ? "moved"
+                                                : "new",
+                              movement.row, movement_text(movement)));
+}
+
+bool loses_validation(const std::vector<RowMovement>& movements) {
+  return std::any_of(movements.begin(), movements.end(),
+                     [](const RowMovement& one) { return one.loses_validation(); });
+}
+
+// The exit status of the rows, or that of an inconclusive one where all hold and one of validation
+// is lost.
+int status_of(const AssessedCampaign& assessed, const std::vector<RowMovement>& movements) {
+  const int judged = exit_status(assessed.cases, assessed.problems);
+  return judged == exit_pass && loses_validation(movements) ? exit_inconclusive : judged;
+}
+
+int judge_campaign(const CampaignOptions& options, const Installation& installation,
+                   const std::atomic<bool>& stop) {
+  RequestedCampaign campaign = requested(options, installation);
+  const fs::path ledger = ledger_of(options, campaign.definition, installation);
+  // Read before a program of the user's starts.
+  const std::vector<Approval> approvals = read_ledger(ledger);
+  const Baseline baseline = baseline_of(approvals);
+  const AssessedCampaign assessed = assess(std::move(campaign), stop);
+  GateFindings findings{.movements = movements(baseline, {assessed.cases, assessed.problems,
+                                                          options.selection.is_partial()}),
+                        .has_baseline = !approvals.empty(),
+                        .inconclusive_passes = options.inconclusive_exit == exit_pass};
+  findings.status = status_of(assessed, findings.movements);
+  std::cerr << complaints(assessed.cases, assessed.problems);
+  print_lines(gate_lines(assessed.cases, assessed.problems));
+  print_changes(findings, ledger);
   const fs::path directory = assessed.output / "gate";
-  write_gate_files(gate_document(assessed, moved, installation.source), directory);
-  print_lines(fmt::format(
-      "{}: {}{}\n{}\ngate: {}, junit.xml\n",
-      headline_word(exit_status(assessed.cases, assessed.problems)),
-      verdict_sentence(assessed.cases, assessed.problems), coverage_sentence(assessed.cases),
-      kinds_sentence(assessed.cases, assessed.problems), (directory / "gate.md").string()));
-  return requested_exit(exit_status(assessed.cases, assessed.problems), options);
+  const reports::GateDocument document = gate_document(assessed, findings, installation.source);
+  write_gate_files(document, directory);
+  print_lines(fmt::format("{}\n{}\ngate: {}, junit.xml\n", document.verdict, document.basis,
+                          (directory / "gate.md").string()));
+  // A lost row is not inconclusive: only an approval takes it out.
+  return loses_validation(findings.movements) ? findings.status
+                                              : requested_exit(findings.status, options);
+}
+
+// Documents of an earlier start do not outlive a gate that ends early.
+int gate_campaign(const CampaignOptions& options, const Installation& installation,
+                  const std::atomic<bool>& stop) {
+  const fs::path directory = place_of(options, installation) / "gate";
+  supersede_gate_files(options.campaign, "the gate has not come to its verdict", directory);
+  try {
+    return judge_campaign(options, installation, stop);
+  } catch (const std::exception& error) {
+    supersede_gate_files(options.campaign, error.what(), directory);
+    throw;
+  }
 }
 
 }  // namespace

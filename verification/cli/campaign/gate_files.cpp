@@ -1,6 +1,8 @@
 #include "verification/cli/campaign/gate_files.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <stdexcept>
 
 #include "reports/summary/campaign_report.hpp"
@@ -16,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using reports::GateOutcomeKind;
+
+constexpr const char *junit_name = "junit.xml", *markdown_name = "gate.md";
 
 GateOutcomeKind kind_of(Verdict verdict) {
   switch (verdict) {
@@ -64,8 +68,25 @@ reports::GateEntry entry_in(const std::string& group, const Outcome& outcome,
           .line = outcome.row.where.line};
 }
 
+// Adds the change since the baseline. A row of validation that is one of regression now has lost
+// its verdict.
+void add_movement(const std::string& row, const GateFindings& findings, reports::GateEntry& entry) {
+  const auto moved =
+      std::find_if(findings.movements.begin(), findings.movements.end(),
+                   [&](const RowMovement& one) { return one.row == row && !one.lost; });
+  if (moved == findings.movements.end()) return;
+  if (moved->after) {
+    entry.lower = moved->after->lower;
+    entry.upper = moved->after->upper;
+  }
+  if (findings.has_baseline) entry.moved = movement_text(*moved);
+  entry.loosened = moved->loosened;
+  if (moved->loses_validation() && entry.outcome == GateOutcomeKind::pass)
+    entry.outcome = GateOutcomeKind::lost;
+}
+
 reports::GateEntry entry_of(const CaseAssessment& assessment, const GateOutcome& outcome,
-                            const std::vector<RowMovement>& movements, const fs::path& source) {
+                            const GateFindings& findings, const fs::path& source) {
   const std::string& group = assessment.definition.name;
   reports::GateEntry entry = entry_in(group, outcome, source);
   entry.name = row_name(outcome.row);
@@ -73,45 +94,99 @@ reports::GateEntry entry_of(const CaseAssessment& assessment, const GateOutcome&
   entry.uncertainty = outcome.value.half_width;
   if (outcome.judgement)
     entry.uncertainties = uncertainties_text(*outcome.judgement, outcome.row.unit);
-  const auto moved = std::find_if(movements.begin(), movements.end(), [&](const RowMovement& one) {
-    return one.row == row_name(group, outcome.row);
-  });
-  if (moved == movements.end()) return entry;
-  if (moved->after) {
-    entry.lower = moved->after->lower;
-    entry.upper = moved->after->upper;
-  }
-  if (moved->before) entry.moved = movement_text(*moved);
-  entry.loosened = moved->loosened;
+  add_movement(row_name(group, outcome.row), findings, entry);
   return entry;
 }
 
 reports::GateEntry entry_of(const ProblemAssessment& assessment, const ProblemGateOutcome& outcome,
-                            const fs::path& source) {
+                            const GateFindings& findings, const fs::path& source) {
   reports::GateEntry entry = entry_in(assessment.definition.name, outcome, source);
   entry.name = metric_name(outcome.row.metric) + " of " + outcome.row.measure;
   entry.value = outcome.value;
+  add_movement(row_name(assessment.definition.name, outcome.row), findings, entry);
   return entry;
+}
+
+reports::GateEntry entry_of(const RowMovement& lost) {
+  const std::size_t colon = lost.row.find(": ");
+  return {.outcome = lost.loses_validation() ? GateOutcomeKind::lost : GateOutcomeKind::skipped,
+          .group = lost.row.substr(0, colon),
+          .name = lost.row.substr(colon + 2),
+          .message = "the baseline has the row, and no approval takes it out",
+          .unit = lost.unit,
+          .lower = lost.before->lower,
+          .upper = lost.before->upper,
+          .moved = movement_text(lost),
+          .kind = lost.before->terms ? lost.before->terms->kind : "",
+          .file = ""};
+}
+
+// An entry that is no row's.
+reports::GateEntry bare_entry(const std::string& group, const std::string& name,
+                              GateOutcomeKind outcome, const std::string& message) {
+  return {.outcome = outcome,
+          .group = group,
+          .name = name,
+          .message = message,
+          .unit = "1",
+          .value = std::nan(""),
+          .uncertainty = std::nan(""),
+          .lower = {},
+          .upper = {},
+          .moved = "",
+          .file = ""};
+}
+
+// Adds a run or a problem that has no usable result.
+void add_open_run(const std::string& group, const std::string& name, const RunStatus& status,
+                  reports::GateDocument& document) {
+  if (status.state != RunState::failed && status.state != RunState::missing) return;
+  const auto [verdict, message] = obstacle_of(name, status).value();
+  document.entries.push_back(bare_entry(group, name, kind_of(verdict), message));
+}
+
+// Adds the verdict itself where it is none of a row or a run: nothing was judged, or no pair of a
+// case could be compared.
+void add_bare_verdict(const std::string& campaign, const GateFindings& findings,
+                      reports::GateDocument& document) {
+  const bool is_told = std::any_of(
+      document.entries.begin(), document.entries.end(), [](const reports::GateEntry& one) {
+        return one.outcome != GateOutcomeKind::pass && one.outcome != GateOutcomeKind::skipped;
+      });
+  if (findings.status != exit_pass && !is_told)
+    document.entries.push_back(
+        bare_entry(campaign, "the campaign", GateOutcomeKind::not_compared, document.verdict));
 }
 
 }  // namespace
 
-reports::GateDocument gate_document(const AssessedCampaign& assessed,
-                                    const std::vector<RowMovement>& movements,
+reports::GateDocument gate_document(const AssessedCampaign& assessed, const GateFindings& findings,
                                     const fs::path& source) {
-  reports::GateDocument document{
-      .title = assessed.definition.title,
-      .verdict = headline_word(exit_status(assessed.cases, assessed.problems)) + ": " +
-                 verdict_sentence(assessed.cases, assessed.problems) +
-                 coverage_sentence(assessed.cases),
-      .entries = {},
-      .basis = kinds_sentence(assessed.cases, assessed.problems)};
-  for (const CaseAssessment& one : assessed.cases)
+  const std::string changes =
+      findings.has_baseline ? changes_sentence(findings.movements)
+                            : "There is no baseline: nothing is compared with earlier figures.";
+  reports::GateDocument document{.title = assessed.definition.title,
+                                 .verdict = headline_word(findings.status) + ": " +
+                                            verdict_sentence(assessed.cases, assessed.problems) +
+                                            coverage_sentence(assessed.cases) +
+                                            (changes.empty() ? "" : " " + changes),
+                                 .entries = {},
+                                 .basis = kinds_sentence(assessed.cases, assessed.problems),
+                                 .inconclusive_passes = findings.inconclusive_passes};
+  for (const CaseAssessment& one : assessed.cases) {
     for (const GateOutcome& outcome : one.gate)
-      document.entries.push_back(entry_of(one, outcome, movements, source));
-  for (const ProblemAssessment& one : assessed.problems)
+      document.entries.push_back(entry_of(one, outcome, findings, source));
+    for (const auto& [run, status] : one.runs.status)
+      add_open_run(one.definition.name, "run " + run, status, document);
+  }
+  for (const ProblemAssessment& one : assessed.problems) {
     for (const ProblemGateOutcome& outcome : one.gate)
-      document.entries.push_back(entry_of(one, outcome, source));
+      document.entries.push_back(entry_of(one, outcome, findings, source));
+    add_open_run(one.definition.name, "the problem", one.run.status, document);
+  }
+  for (const RowMovement& one : findings.movements)
+    if (one.lost) document.entries.push_back(entry_of(one));
+  add_bare_verdict(assessed.definition.name, findings, document);
   return document;
 }
 
@@ -119,8 +194,25 @@ void write_gate_files(const reports::GateDocument& document, const fs::path& dir
   const auto write = [&](const char* name, const std::string& text) {
     replace_file(directory / name, text, Durability::process_crash);
   };
-  write("junit.xml", reports::junit_xml(document));
-  write("gate.md", reports::gate_markdown(document));
+  write(junit_name, reports::junit_xml(document));
+  write(markdown_name, reports::gate_markdown(document));
+}
+
+void supersede_gate_files(const std::string& campaign, const std::string& why,
+                          const fs::path& directory) {
+  const std::array files{directory / junit_name, directory / markdown_name};
+  if (std::none_of(files.begin(), files.end(), [](const fs::path& one) { return fs::exists(one); }))
+    return;
+  const reports::GateDocument document{
+      .title = campaign,
+      .verdict = headline_word(exit_not_compared) + ": " + why,
+      .entries = {bare_entry(campaign, "the campaign", GateOutcomeKind::not_compared, why)}};
+  try {
+    write_gate_files(document, directory);
+  } catch (const fs::filesystem_error&) {  // no room: an old verdict must not stay for that
+    for (const fs::path& one : files) fs::remove(one);
+    throw;
+  }
 }
 
 }  // namespace slosh

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "reports/gate_documents/gate_document.hpp"
@@ -10,16 +11,30 @@
 
 namespace slosh {
 
-// Returns the gate rows with their changes since the baseline (movements() of the cases). The paths
-// of files below `source` are relative to it, and those of other files below the current directory
-// to that, as code forges require.
-reports::GateDocument gate_document(const AssessedCampaign& assessed,
-                                    const std::vector<RowMovement>& movements,
+// What the gate has found beside the assessment.
+struct GateFindings {
+  std::vector<RowMovement> movements;  // since the baseline
+  bool has_baseline = false;           // whether the ledger holds one
+  int status = 0;                      // the exit status, unless the user replaces that of
+                                       // inconclusive rows
+  bool inconclusive_passes = false;    // whether the user replaces it by 0
+};
+
+// Returns the gate rows with their changes since the baseline, the lost rows, and the runs without
+// a result. Where the exit status is not 0 for anything else, an entry of the campaign says why.
+// The paths of files below `source` are relative to it, and those of other files below the current
+// directory to that, as code forges require.
+reports::GateDocument gate_document(const AssessedCampaign& assessed, const GateFindings& findings,
                                     const std::filesystem::path& source);
 
 // Writes <directory>/junit.xml and gate.md, each atomically. Throws
 // std::filesystem::filesystem_error.
 void write_gate_files(const reports::GateDocument& document,
                       const std::filesystem::path& directory);
+
+// Replaces the documents of an earlier start, if any, by ones that say why the campaign is not
+// judged, and removes them where they cannot be replaced. Throws as write_gate_files() does.
+void supersede_gate_files(const std::string& campaign, const std::string& why,
+                          const std::filesystem::path& directory);
 
 }  // namespace slosh

@@ -20,13 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The results.json of the campaigns' reports, in the order of their names.
+// The results.json that the campaigns' reports have or should have, in the order of their names.
 std::vector<fs::path> results_in(const fs::path& directory) {
   std::vector<fs::path> files;
   if (!fs::is_directory(directory)) return files;
   for (const auto& entry : fs::directory_iterator(directory))
-    if (const fs::path file = entry.path() / "report" / "results.json"; fs::is_regular_file(file))
-      files.push_back(file);
+    if (const fs::path report = entry.path() / "report"; fs::exists(report))
+      files.push_back(report / "results.json");
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -39,10 +39,11 @@ int report_of_all(const CampaignOptions& options, const Installation& installati
   std::vector<RecordedCampaign> campaigns;
   std::vector<std::string> left_out;
   for (const fs::path& file : results_in(directory)) try {
+      if (!fs::is_regular_file(file)) throw std::invalid_argument("expected a file");
       campaigns.push_back(recorded_campaign(
           read_bytes(file), fs::relative(file.parent_path() / "index.html", directory).string()));
     } catch (const std::invalid_argument& error) {
-      left_out.push_back(fs::relative(file, directory).string());
+      left_out.push_back(file.lexically_relative(directory).string());
       std::cerr << fmt::format("{}: {}; `slosh report NAME` writes the campaign's report anew\n",
                                file.string(), error.what());
     }
@@ -53,7 +54,7 @@ int report_of_all(const CampaignOptions& options, const Installation& installati
         directory.string()));
   const reports::Report report = report_of_campaigns(campaigns, left_out);
   reports::write_report(report, directory / "report", {.threads = sph::usable_cores()});
-  const int status = exit_status(campaigns);
+  const int status = exit_status(campaigns, left_out);
   print_lines(fmt::format("{}: {}\nreport: {}\n", headline_word(status), report.verdict,
                           (directory / "report/index.html").string()));
   return requested_exit(status, options);

@@ -73,6 +73,22 @@ TimingDefinition timing_of(const CampaignDefinition& campaign, const CampaignOpt
   return timing;
 }
 
+fs::path output_of(const CampaignOptions& options, const std::string& name,
+                   const Installation& installation) {
+  return fs::absolute(options.output.empty()
+                          ? installation.build / "campaigns" / (name + form_of(options))
+                          : options.output);
+}
+
+fs::path place_in(const fs::path& output, const RunSelection& selection) {
+  return selection.is_partial() ? output / "selected" : output;
+}
+
+CampaignDefinition definition_of(const CampaignOptions& options, const Installation& installation) {
+  return read_campaign(find_campaign(options.campaign, installation.campaigns), installation.cases,
+                       known_problems());
+}
+
 }  // namespace
 
 void require_runnable(const std::vector<CaseDefinition>& cases) {
@@ -91,11 +107,7 @@ std::string form_of(const CampaignOptions& options) {
 
 RequestedCampaign requested(const CampaignOptions& options, const Installation& installation) {
   RequestedCampaign campaign{
-      .definition = read_campaign(find_campaign(options.campaign, installation.campaigns),
-                                  installation.cases, known_problems()),
-      .cases = {},
-      .settings = {},
-      .place = {}};
+      .definition = definition_of(options, installation), .cases = {}, .settings = {}, .place = {}};
   const fs::path experiments = whole(options.experiments);
   campaign.cases = read_cases(campaign.definition, experiments);
   campaign.definition.basket = read_basket(campaign.definition, campaign.cases);
@@ -103,9 +115,7 @@ RequestedCampaign requested(const CampaignOptions& options, const Installation& 
   require_runnable(campaign.cases);
   if (options.selection.quick)
     for (CaseDefinition& one : campaign.cases) keep_quick_members(one);
-  const fs::path usual =
-      installation.build / "campaigns" / (campaign.definition.name + form_of(options));
-  campaign.settings = {.output = fs::absolute(options.output.empty() ? usual : options.output),
+  campaign.settings = {.output = output_of(options, campaign.definition.name, installation),
                        .store = ResultStore(whole(options.store.empty() ? usual_store(installation)
                                                                         : options.store)),
                        .campaign_file = whole(campaign.definition.file),
@@ -118,18 +128,27 @@ RequestedCampaign requested(const CampaignOptions& options, const Installation& 
                        .engine = options.engine,
                        .at_once = options.at_once,
                        .timing = timing_of(campaign.definition, options)};
-  campaign.place = campaign.settings.output;
-  if (options.selection.is_partial()) {
+  campaign.place = place_in(campaign.settings.output, options.selection);
+  if (options.selection.is_partial())
     campaign.definition.title += " (" + selection_text(options.selection) + ")";
-    campaign.place /= "selected";
-  }
   return campaign;
+}
+
+fs::path place_of(const CampaignOptions& options, const Installation& installation) {
+  const std::string name =
+      options.output.empty() ? definition_of(options, installation).name : std::string();
+  return place_in(output_of(options, name, installation), options.selection);
+}
+
+fs::path baselines_of(const CampaignDefinition& campaign, const Installation& installation) {
+  const fs::path directory = whole(campaign.file).parent_path();
+  return fs::equivalent(directory, installation.campaigns) ? installation.baselines : directory;
 }
 
 fs::path ledger_of(const CampaignOptions& options, const CampaignDefinition& campaign,
                    const Installation& installation) {
   if (!options.ledger)
-    return installation.baselines / (campaign.name + form_of(options) + ".jsonl");
+    return baselines_of(campaign, installation) / (campaign.name + form_of(options) + ".jsonl");
   if (!options.new_ledger && !holds_approvals(*options.ledger))
     throw CaseFileError(
         fmt::format("--ledger: '{}' holds no approval; expected the path of a ledger, or `slosh "

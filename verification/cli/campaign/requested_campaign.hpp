@@ -29,6 +29,15 @@ void require_runnable(const std::vector<CaseDefinition>& cases);
 // Returns "-quick" or an empty text: the suffix of the campaign's name in paths.
 std::string form_of(const CampaignOptions& options);
 
+// Returns the directory of the report and the gate's files (RequestedCampaign::place). It reads the
+// campaign's file where the options name no output. Throws CaseFileError.
+std::filesystem::path place_of(const CampaignOptions& options, const Installation& installation);
+
+// Returns the directory of the campaign's ledgers and records: that of the installation for a
+// shipped campaign, and that of the campaign's file for any other, whatever its name is.
+std::filesystem::path baselines_of(const CampaignDefinition& campaign,
+                                   const Installation& installation);
+
 // Returns the file of the campaign's baselines. Throws CaseFileError for a ledger that the user
 // names and that holds no approval, unless a new one is to be begun.
 std::filesystem::path ledger_of(const CampaignOptions& options, const CampaignDefinition& campaign,

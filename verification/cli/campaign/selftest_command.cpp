@@ -89,7 +89,8 @@ int selftest_campaign(const SelftestOptions& given, const Installation& installa
   for (const std::string& claim : found.broken) std::cout << "BROKEN " << claim << "\n";
   if (given.record) {
     const std::string& name = assessed.definition.name;
-    const auto file = selftest_record_file(installation.baselines, name, selection.quick);
+    const auto file = selftest_record_file(baselines_of(assessed.definition, installation), name,
+                                           selection.quick);
     write_selftest_record({name, selection.quick, found.cases}, file);
     std::cout << "record: " << file.string() << "\n";
   }

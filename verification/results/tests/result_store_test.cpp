@@ -10,6 +10,8 @@
 #include <thread>
 
 #include "verification/files/content_hash.hpp"
+#include "verification/files/result_error.hpp"
+#include "verification/results/result_seals.hpp"
 #include "verification/results/timings.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
@@ -40,6 +42,36 @@ TEST_F(Store, FindsTheResultOfAKeyBeforeAnotherBuilds) {
   EXPECT_EQ(store.newest_file("q-a", ".h5"), store.file("q-new", ".h5"));
   EXPECT_EQ(store.newest_file("q-old", ".h5"), store.file("q-old", ".h5"));
   EXPECT_FALSE(store.newest_file("q-a", ".json")) << "timings are no result";
+}
+
+struct Kept {
+  std::string key;
+};
+
+TEST_F(Store, ReadsAResultAtThePlaceOfItsWholeKeyAlone) {
+  put("q-a", ".h5");
+  const auto read = [](const std::string& key) {
+    return [key](const fs::path&) { return Kept{key}; };
+  };
+  EXPECT_EQ(read_stored(store.file("q-a", ".h5"), read("q-a")).key, "q-a");
+  for (const char* key : {"q-b", "p-a", "", "q-"})
+    EXPECT_THROW(read_stored(store.file("q-a", ".h5"), read(key)), ResultError) << key;
+}
+
+TEST_F(Store, FindsAResultThatWasSealedAnewAndRemovesIt) {
+  for (const char* key : {"q-a", "q-b", "q-c", "q-d"}) put(key, ".h5");
+  const ResultSeals seals({store.file("q-a", ".h5"), store.file("q-b", ".h5"),
+                           store.file("q-c", ".h5"), store.file("q-none", ".h5")});
+  EXPECT_NO_THROW(seals.require_unchanged());
+  fs::last_write_time(store.file("q-a", ".h5"),
+                      fs::file_time_type::clock::now() - std::chrono::hours(1));
+  std::ofstream(store.file("q-b", ".h5")) << "y";
+  fs::remove(store.file("q-c", ".h5"));
+  std::ofstream(store.file("q-d", ".h5")) << "not asked for";
+  EXPECT_THROW(seals.require_unchanged(), ResultError);
+  EXPECT_TRUE(fs::exists(store.file("q-a", ".h5"))) << "a copy or a touch is no change";
+  EXPECT_FALSE(fs::exists(store.file("q-b", ".h5")));
+  EXPECT_NO_THROW(seals.require_unchanged());
 }
 
 TEST_F(Store, ClearsAwayWhatADeadProcessHasHalfWrittenOfTheKeyAlone) {
