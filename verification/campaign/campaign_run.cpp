@@ -17,6 +17,7 @@
 #include "verification/engine/launcher.hpp"
 #include "verification/engine/slurm_engine.hpp"
 #include "verification/files/file_lock.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/results/timings.hpp"
 #include "verification/runs/run_key.hpp"
@@ -26,6 +27,7 @@ namespace {
 
 // Enters the result under the run's name. Throws ResultError where it cannot be used.
 void take_result(const PlannedRun& planned, const CampaignSettings& settings, CaseRuns& runs) {
+  protect_input(planned.file);
   RunResult result = read_result(planned.file);
   if (!asks_the_same(result.key, planned.key))
     throw ResultError(planned.file.string() + " was made for another state of the case file");

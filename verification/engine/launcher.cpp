@@ -9,6 +9,7 @@
 #include "verification/engine/job_list.hpp"
 #include "verification/engine/ninja_engine.hpp"
 #include "verification/engine/slurm_engine.hpp"
+#include "verification/files/input_files.hpp"
 
 namespace slosh {
 namespace {
@@ -31,6 +32,7 @@ void remove_lists(const fs::path& directory) {
 
 // Removes the logs of earlier starts, so that a job that never starts does not show an old log.
 void remove_logs(const std::vector<Job>& jobs) {
+  for (const Job& job : jobs) require_no_input(job.log_file);
   std::error_code none;
   for (const Job& job : jobs) fs::remove(job.log_file, none);
 }

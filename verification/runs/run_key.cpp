@@ -9,6 +9,7 @@
 #include "verification/case/gap_friction.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/solvers/external_command.hpp"
 
@@ -98,8 +99,10 @@ json physics(const CaseDefinition& definition) {
 
 json contents(const std::vector<std::filesystem::path>& files) {
   json all = json::array();
-  for (const std::filesystem::path& file : files)
+  for (const std::filesystem::path& file : files) {
+    protect_input(file);
     all.push_back({file.filename().string(), content_hash(read_bytes(file))});
+  }
   return all;
 }
 
@@ -149,7 +152,10 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
   add_answer(answer, solver_name(run), builds, openfoam_templates);
   if (external) {
     const std::filesystem::path program = external_program(*external, definition);
-    if (!program.empty()) answer.add_file(program);
+    if (!program.empty()) {
+      protect_input(program);
+      answer.add_file(program);
+    }
   }
   return question.digits() + "-" + answer.digits();
 }

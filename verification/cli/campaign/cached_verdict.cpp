@@ -23,6 +23,22 @@ json content_of(const fs::path& file) try {
   return nullptr;
 }
 
+// Returns the content of each file of the report by its name there.
+json report_in(const fs::path& directory) {
+  json files = json::object();
+  for (const auto& entry : fs::recursive_directory_iterator(directory))
+    if (entry.is_regular_file())
+      files[entry.path().lexically_relative(directory).string()] = content_of(entry.path());
+  return files;
+}
+
+// Whether these files are there, and nobody has edited them. Others beside them do not count.
+bool stands(const json& files, const fs::path& directory) {
+  for (const auto& [name, content] : files.items())
+    if (content.is_null() || content_of(directory / name) != content) return false;
+  return !files.empty();
+}
+
 }  // namespace
 
 std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
@@ -65,8 +81,10 @@ std::optional<CachedVerdict> read_cached_verdict(const fs::path& output) {
     return read.is_object() && read.contains(key) && read.at(key).type() == type;
   };
   if (has("fingerprint", json::value_t::string) && has("out", json::value_t::string) &&
-      has("status", json::value_t::number_unsigned))
+      has("status", json::value_t::number_unsigned) && has("report", json::value_t::object)) {
+    if (!stands(read.at("report"), output / "report")) return std::nullopt;
     return CachedVerdict{read.at("fingerprint"), read.at("status"), read.at("out")};
+  }
   std::cerr << file.string() << ": no verdict of an earlier start can be read from it; the results "
             << "are judged again\n";
   return std::nullopt;
@@ -75,8 +93,10 @@ std::optional<CachedVerdict> read_cached_verdict(const fs::path& output) {
 void forget_cached_verdict(const fs::path& output) { fs::remove(output / file_name); }
 
 void write_cached_verdict(const CachedVerdict& cached, const fs::path& output) {
-  const json all{
-      {"fingerprint", cached.fingerprint}, {"status", cached.status}, {"out", cached.out}};
+  const json all{{"fingerprint", cached.fingerprint},
+                 {"status", cached.status},
+                 {"out", cached.out},
+                 {"report", report_in(output / "report")}};
   replace_file(output / file_name, all.dump(1, ' ', false, json::error_handler_t::replace),
                Durability::process_crash);
 }

@@ -26,7 +26,8 @@ std::optional<std::string> fingerprint_of(const CampaignDefinition& campaign,
                                           const CampaignSettings& settings,
                                           const std::string& judge);
 
-// Reads <output>/standing.json. Returns nullopt if it is absent or, with a message, unusable.
+// Reads <output>/standing.json. Returns nullopt if it is absent, if a file of <output>/report has
+// been edited or removed since or, with a message, if it is unusable.
 std::optional<CachedVerdict> read_cached_verdict(const std::filesystem::path& output);
 // Called before the report is replaced: a cached verdict must belong to the existing report.
 void forget_cached_verdict(const std::filesystem::path& output);

@@ -21,6 +21,7 @@
 #include "verification/cli/campaign/report_of_all.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 #include "verification/sensitivity/sensitivity_cache.hpp"
@@ -93,8 +94,9 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   const auto fingerprint = [cases = campaign.cases, settings = campaign.settings,
                             definition = campaign.definition,
                             judge] { return fingerprint_of(definition, cases, settings, judge); };
+  require_no_input(place / "report");
   if (const auto cached = read_cached_verdict(place);
-      cached && fs::exists(page_in(place)) && cached->fingerprint == fingerprint()) {
+      cached && cached->fingerprint == fingerprint()) {
     print_lines(cached->out);
     return requested_exit(cached->status, options);
   }

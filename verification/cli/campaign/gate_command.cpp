@@ -10,6 +10,7 @@
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/cli/campaign/gate_files.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 #include "verification/texts/assessment_text.hpp"
 
@@ -22,6 +23,9 @@ int gate_campaign(const CampaignOptions& options, const Installation& installati
                   const std::atomic<bool>& stop) {
   RequestedCampaign campaign = requested(options, installation);
   const fs::path ledger = ledger_of(options, campaign.definition, installation);
+  for (const fs::path& file : {ledger, head_of(ledger)}) protect_input(file);
+  const fs::path directory = campaign.place / "gate";
+  require_gate_places(directory);
   const Baseline baseline = baseline_of(read_ledger(ledger));
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   const std::vector<RowMovement> moved = movements(baseline, assessed.cases);
@@ -35,7 +39,6 @@ int gate_campaign(const CampaignOptions& options, const Installation& installati
   for (const RowMovement& movement : moved)
     if (movement.before && movement.has_changed())
       print_lines(fmt::format("moved          {}: {}\n", movement.row, movement_text(movement)));
-  const fs::path directory = assessed.output / "gate";
   write_gate_files(gate_document(assessed, moved, installation.source), directory);
   print_lines(fmt::format(
       "{}: {}{}\n{}\ngate: {}, junit.xml\n",

@@ -9,6 +9,7 @@
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/files/atomic_file.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 
 namespace slosh {
@@ -16,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using reports::GateOutcomeKind;
+
+constexpr const char *junit_name = "junit.xml", *markdown_name = "gate.md";
 
 GateOutcomeKind kind_of(Verdict verdict) {
   switch (verdict) {
@@ -115,12 +118,16 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed,
   return document;
 }
 
+void require_gate_places(const fs::path& directory) {
+  for (const char* name : {junit_name, markdown_name}) require_no_input(directory / name);
+}
+
 void write_gate_files(const reports::GateDocument& document, const fs::path& directory) {
   const auto write = [&](const char* name, const std::string& text) {
     replace_file(directory / name, text, Durability::process_crash);
   };
-  write("junit.xml", reports::junit_xml(document));
-  write("gate.md", reports::gate_markdown(document));
+  write(junit_name, reports::junit_xml(document));
+  write(markdown_name, reports::gate_markdown(document));
 }
 
 }  // namespace slosh

@@ -17,6 +17,9 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed,
                                     const std::vector<RowMovement>& movements,
                                     const std::filesystem::path& source);
 
+// Throws OutputError where a file of write_gate_files() would replace an input.
+void require_gate_places(const std::filesystem::path& directory);
+
 // Writes <directory>/junit.xml and gate.md, each atomically. Throws
 // std::filesystem::filesystem_error.
 void write_gate_files(const reports::GateDocument& document,
