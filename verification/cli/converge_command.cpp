@@ -16,6 +16,7 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/runs/run_case.hpp"
+#include "verification/runs/run_key.hpp"
 #include "verification/texts/convergence_text.hpp"
 
 namespace slosh {
@@ -66,6 +67,7 @@ std::string asked_quantity(const CaseDefinition& definition, const std::string& 
 CaseDefinition made_case(const CaseDefinition& definition, const SpacingStudy& study,
                          const fs::path& directory, const fs::path& experiments) {
   const fs::path file = directory / (definition.name + ".toml");
+  for (const RunDefinition& run : definition.runs) protect_inputs(definition, run);
   replace_file(file, spacing_study_text(definition, study), Durability::process_crash);
   CaseDefinition made = read_case(file, experiments);
   for (const RunDefinition& run : made.runs) require_runnable(made, run);

@@ -126,9 +126,12 @@ StoreContents ResultStore::contents(const std::string& key) const {
 
 bool ResultStore::remove(const std::string& key) const {
   struct InUse {};
+  const StoreContents found =
+      contents(key);  // before a lock is there by which more would be its own
+  if (found.made.empty()) return true;
   try {
     const FileLock lock(file(key, lock_extension), [] { throw InUse(); });
-    for (const fs::path& path : contents(key).made) fs::remove_all(path);
+    for (const fs::path& path : found.made) fs::remove_all(path);
     return true;
   } catch (const InUse&) {
     return false;

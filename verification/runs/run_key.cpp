@@ -99,10 +99,8 @@ json physics(const CaseDefinition& definition) {
 
 json contents(const std::vector<std::filesystem::path>& files) {
   json all = json::array();
-  for (const std::filesystem::path& file : files) {
-    protect_input(file);
+  for (const std::filesystem::path& file : files)
     all.push_back({file.filename().string(), content_hash(read_bytes(file))});
-  }
   return all;
 }
 
@@ -135,9 +133,20 @@ void add_answer(ContentHash& answer, const std::string& solver, const fs::path& 
 
 }  // namespace
 
+void protect_inputs(const CaseDefinition& definition, const RunDefinition& run) {
+  std::vector<fs::path> files;
+  if (const auto* external = std::get_if<ExternalRun>(&run.solver)) {
+    files = external_inputs(*external, definition);
+    files.push_back(external_program(*external, definition));
+  }
+  if (const auto* stored = std::get_if<StoredRun>(&run.solver)) files = stored_files(*stored);
+  for (const fs::path& file : files) protect_input(file);
+}
+
 std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
                     const std::filesystem::path& builds,
                     const std::filesystem::path& openfoam_templates) {
+  protect_inputs(definition, run);
   ContentHash question, answer;
   json asked{{"case", physics(definition_solved_by(run, definition))},
              {"run", hashed_settings(run)}};
@@ -152,10 +161,7 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
   add_answer(answer, solver_name(run), builds, openfoam_templates);
   if (external) {
     const std::filesystem::path program = external_program(*external, definition);
-    if (!program.empty()) {
-      protect_input(program);
-      answer.add_file(program);
-    }
+    if (!program.empty()) answer.add_file(program);
   }
   return question.digits() + "-" + answer.digits();
 }
