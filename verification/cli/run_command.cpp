@@ -140,7 +140,8 @@ bool is_as_a_campaign_computes(const RunOptions& options) {
 // own directory may save another one there.
 void require_safe_outputs(const RunOptions& options, const fs::path& file,
                           const fs::path& work_directory) {
-  require_no_input(work_directory);
+  for (const char* cleared : {".external", ".openfoam"})
+    require_no_input(work_directory / (options.run + cleared));
   std::error_code absent;
   if (!fs::equivalent(options.resume.parent_path(), work_directory, absent))
     protect_input(options.resume);

@@ -26,7 +26,8 @@ void remove_lists(const fs::path& directory) {
   if (!fs::is_directory(directory)) return;
   for (const auto& entry : fs::directory_iterator(directory))
     // Processes left of an earlier start may write there at this moment; the next start removes it.
-    if (std::error_code none; entry.path().filename().string().starts_with("list_"))
+    if (std::error_code none;
+        entry.path().filename().string().starts_with("list_") && JobList::is_in(entry.path()))
       fs::remove_all(entry.path(), none);
 }
 
