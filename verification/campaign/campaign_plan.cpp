@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <iostream>
 #include <utility>
 
 #include "verification/case/solver_kinds.hpp"
+#include "verification/results/result_store.hpp"
 #include "verification/results/run_failure.hpp"
 #include "verification/results/timings.hpp"
 #include "verification/runs/run_case.hpp"
@@ -134,7 +136,13 @@ std::vector<Job> timing_jobs(const PlannedRun& planned, const CampaignSettings& 
 
 void show_result(const fs::path& result, const fs::path& link) {
   std::error_code none;
-  if (fs::read_symlink(link, none) == result) return;
+  const fs::path shown = fs::read_symlink(link, none);
+  if (shown == result) return;
+  if (none != std::errc::no_such_file_or_directory && !is_named_by_key(shown)) {
+    std::cerr << fmt::format("{} is kept, as no link of a campaign: it does not show {}\n",
+                             link.string(), result.string());
+    return;
+  }
   fs::create_directories(link.parent_path());
   const fs::path next = fmt::format("{}.{}.next", link.string(), ::getpid());
   fs::remove(next);

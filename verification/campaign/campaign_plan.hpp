@@ -46,6 +46,7 @@ Job job_for(const PlannedRun& planned, const CampaignSettings& settings);
 std::vector<Job> timing_jobs(const PlannedRun& planned, const CampaignSettings& settings);
 
 // Makes a link to the result, and the directories for it, so that results are found by their names.
+// Replaces an earlier link to a result. Keeps anything else there, and says so on standard error.
 void show_result(const std::filesystem::path& result, const std::filesystem::path& link);
 
 // Returns the place of a run's link in the campaign's directory.

@@ -18,6 +18,7 @@
 #include "verification/engine/launcher.hpp"
 #include "verification/engine/slurm_engine.hpp"
 #include "verification/files/file_lock.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/results/result_seals.hpp"
 #include "verification/results/timings.hpp"
@@ -27,6 +28,7 @@ namespace {
 
 // Enters the result under the run's name. Throws ResultError where it cannot be used.
 void take_result(const PlannedRun& planned, const CampaignSettings& settings, CaseRuns& runs) {
+  protect_input(planned.file);
   RunResult result = read_stored(planned.file, read_result);
   // Another case or run of the same key may have made it.
   result.case_name = planned.definition->name;

@@ -36,12 +36,6 @@ std::optional<std::string> drawing_in(const fs::path& file) try {
   return std::nullopt;
 }
 
-// Tells cached files from others, for the directory may hold files of the user.
-bool is_named_by_a_hash(const std::string& name) {
-  return name.size() == content_hash("").size() &&
-         name.find_first_not_of("0123456789abcdef") == std::string::npos;
-}
-
 }  // namespace
 
 KnownDrawings::KnownDrawings(fs::path directory)
@@ -64,7 +58,8 @@ void KnownDrawings::write() const {
   fs::create_directories(directory_);
   for (const auto& entry : fs::directory_iterator(directory_)) {
     const std::string name = entry.path().filename().string();
-    if (is_named_by_a_hash(name) && !taken_.contains(name)) fs::remove(entry.path());
+    // The directory may hold files of the user.
+    if (!taken_.contains(name) && drawing_in(entry.path())) fs::remove(entry.path());
   }
   for (const auto& [name, drawing] : drawn_)
     replace_file(directory_ / name, guarded(drawing), Durability::process_crash);

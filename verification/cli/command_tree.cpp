@@ -111,6 +111,23 @@ std::string exit_status_text() {
   return text;
 }
 
+// Where an option names a path and has none, the command would do as if it were not given, or take
+// the current directory.
+void refuse_empty_paths(CLI::App& command) {
+  const auto names_path = [](const CLI::Option& option) {
+    for (const char* type : {file_type, directory_type, case_type, campaign_type})
+      if (option.get_type_name() == type) return true;
+    return false;
+  };
+  for (CLI::Option* option : command.get_options())
+    if (names_path(*option))
+      option->check(unnamed(CLI::Validator(
+          [](const std::string& path) { return path.empty() ? "expected a path, not ''" : ""; },
+          "")));
+  for (CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; }))
+    refuse_empty_paths(*below);
+}
+
 }  // namespace
 
 void add_all_commands(const CommandTree& tree) {
@@ -136,6 +153,7 @@ void add_all_commands(const CommandTree& tree) {
   add_list_command(tree);
   add_explain_command(tree);
   add_converge_command(tree);
+  refuse_empty_paths(tree.app);
   tree.app.footer(launcher_text() + "\n" + exit_status_text() +
                   "\nExamples:\n"
                   "  ./slosh list 'li2010_*'\n"

@@ -20,6 +20,7 @@
 #include "verification/cli/limit_option.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/files/atomic_file.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/gate/measured_value.hpp"
 #include "verification/import/import_series.hpp"
@@ -222,6 +223,8 @@ struct ComparedFiles {
 };
 
 ComparedFiles compared(const CompareOptions& options, const Installation& installation) {
+  for (const std::filesystem::path& file : {options.candidate, options.reference})
+    protect_input(file);
   const RunResult candidate = read_result(options.candidate);
   const RunResult reference = read_result(options.reference);
   const std::string quantity = compared_quantity(options, candidate, reference);

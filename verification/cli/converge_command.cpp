@@ -15,7 +15,10 @@
 #include "verification/case_file/spacing_study.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/atomic_file.hpp"
+#include "verification/files/content_hash.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/runs/run_case.hpp"
+#include "verification/runs/run_key.hpp"
 #include "verification/texts/convergence_text.hpp"
 
 namespace slosh {
@@ -62,11 +65,20 @@ std::string asked_quantity(const CaseDefinition& definition, const std::string& 
   throw CaseFileError(fmt::format("quantity = {}: expected one of {}", asked, names));
 }
 
+constexpr const char* made_by = "# `slosh converge` has made this file, and writes it anew.\n";
+
+// Protects a case file of the user that the study does not read.
+void require_own(const fs::path& file) {
+  if (fs::is_regular_file(file) && !read_bytes(file).starts_with(made_by))
+    throw CaseFileError(file.string() +
+                        ": expected another directory for --output, as this file is none that "
+                        "`slosh converge` has made");
+}
+
 // Writes the case file and reads it, so that its mistakes are reported before anything runs.
 CaseDefinition made_case(const CaseDefinition& definition, const SpacingStudy& study,
-                         const fs::path& directory, const fs::path& experiments) {
-  const fs::path file = directory / (definition.name + ".toml");
-  replace_file(file, spacing_study_text(definition, study), Durability::process_crash);
+                         const fs::path& file, const fs::path& experiments) {
+  replace_file(file, made_by + spacing_study_text(definition, study), Durability::process_crash);
   CaseDefinition made = read_case(file, experiments);
   for (const RunDefinition& run : made.runs) require_runnable(made, run);
   return made;
@@ -96,7 +108,11 @@ int converge(const ConvergeOptions& options, const CommandTree& tree) {
       fs::absolute(options.output.empty()
                        ? tree.installation.build / "converge" / (definition.name + "-" + scheme)
                        : options.output);
-  const CaseDefinition made = made_case(definition, study, output, experiments);
+  const fs::path file = output / (definition.name + ".toml");
+  for (const RunDefinition& run : definition.runs) protect_inputs(definition, run);
+  require_no_input(file);
+  if (!options.output.empty()) require_own(file);
+  const CaseDefinition made = made_case(definition, study, file, experiments);
   const CampaignSettings settings{.output = output,
                                   .store = ResultStore(whole(options.store)),
                                   .campaign_file = {},

@@ -5,6 +5,7 @@
 
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/atomic_file.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/texts/series_csv.hpp"
 
@@ -22,13 +23,12 @@ int export_result(const ExportOptions& options) {
   if (!options.csv && options.output.extension() != ".csv")
     throw CaseFileError("--output: " + options.output.string() +
                         ": expected a name that ends in .csv, or --csv for any other");
+  protect_input(options.result);
   const std::string text = series_csv(read_result(options.result));
-  if (!options.output.empty()) {
+  if (options.output.empty())
+    std::cout << text;
+  else
     replace_file(options.output, text, Durability::process_crash);
-    return exit_pass;
-  }
-  if (!(std::cout << text << std::flush))
-    throw ResultError("standard output: expected a place that takes the whole table");
   return exit_pass;
 }
 

@@ -10,6 +10,7 @@
 #include "verification/case/quantities.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/files/shell_word.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/import/file_formats.hpp"
@@ -115,6 +116,7 @@ void add_origin(const ImportOptions& options, const std::vector<std::filesystem:
   std::string paths, contents;
   for (const std::filesystem::path& file : files) {
     paths += (paths.empty() ? "" : "; ") + std::filesystem::absolute(file).string();
+    protect_input(file);
     contents += read_bytes(file);
   }
   const std::string content = content_hash(contents);

@@ -1,17 +1,20 @@
 // The tool `slosh`: reads the command line, starts a subcommand, turns errors into messages and
 // exit statuses.
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
 #include "verification/campaign/campaign_run.hpp"
 #include "verification/cli/command_tree.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/runs/run_case.hpp"
@@ -34,6 +37,22 @@ slosh::Installation installation() {
           source / "verification/baselines",
           source / "openfoam_cases/sloshing_tank",
           source / "build"};
+}
+
+// A stream that is closed takes the number of a file: what is printed would be written into the
+// next output that is opened. Open the wrong way round, it refuses what is printed instead.
+void open_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0)
+      ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+// Returns the exit status of a command, once all that it has printed is written.
+int printed(int status) {
+  std::cout.flush();
+  if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  std::cerr << "slosh: standard output: expected a place that takes all that is printed\n";
+  return status == slosh::exit_pass ? static_cast<int>(slosh::exit_not_compared) : status;
 }
 
 // A campaign that is interrupted ends its runs first.
@@ -87,12 +106,15 @@ int main(int argc, char** argv) {
     std::cerr << "slosh: " << error.what() << "\n";
     return status;
   };
+  open_closed_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is a write error, like a full disk
   use_no_locale();
   bound_waiting_of_threads(argv);
   try {
-    return dispatch(argc, argv);
+    return printed(dispatch(argc, argv));
   } catch (const slosh::CaseFileError& error) {
+    return fail(error, slosh::exit_usage);
+  } catch (const slosh::OutputError& error) {
     return fail(error, slosh::exit_usage);
   } catch (const slosh::InterruptedError& error) {
     return fail(error, slosh::exit_interrupted);

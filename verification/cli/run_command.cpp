@@ -20,6 +20,7 @@
 #include "verification/cli/stored_run.hpp"
 #include "verification/display/run_display.hpp"
 #include "verification/engine/run_job.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/problems/problem_list.hpp"
 #include "verification/results/progress_file.hpp"
@@ -153,6 +154,18 @@ RunResult attempted(const RunDefinition& run, const ResultStore& store, const st
   }
 }
 
+// Refuses outputs onto inputs before anything is computed. A run that goes on from a state in its
+// own directory may save another one there.
+void require_safe_outputs(const RunOptions& options, const fs::path& file,
+                          const fs::path& work_directory) {
+  for (const char* cleared : {".external", ".openfoam"})
+    require_no_input(work_directory / (options.run + cleared));
+  std::error_code absent;
+  if (!fs::equivalent(options.resume.parent_path(), work_directory, absent))
+    protect_input(options.resume);
+  for (const fs::path& output : {file, options.progress_file}) require_no_input(output);
+}
+
 int run_listed_job(std::size_t index, const std::atomic<bool>& stop) {
   run_job(JobList::open(fs::current_path()), index, stop);
   return exit_pass;  // the list records how it ended
@@ -175,6 +188,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
                                                  : options.output;
   RunSettings settings = settings_for(options, installation, key, file);
   settings.command = command_of(options, installation, definition, run);
+  require_safe_outputs(options, file, settings.work_directory);
   const ExpectedCost expected =
       expected_cost(definition, run, key, ResultStore(usual_store(installation)));
   const auto compute = [&] {

@@ -24,6 +24,7 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/installation.hpp"
 #include "verification/files/atomic_file.hpp"
+#include "verification/files/input_files.hpp"
 
 namespace slosh {
 namespace {
@@ -79,6 +80,7 @@ void take(const PlannedRun& planned, const std::string& way, Stored& stored) {
   const std::string& name = planned.run->name;
   RunStatus& status = stored.runs.status[name] = planned.status;
   if (status.state == RunState::finished) try {
+      protect_input(planned.file);
       stored.runs.results[name] = read_stored(planned.file, read_result);
       if (!status.message.empty()) stored.remarks.push_back(name + " was " + status.message);
       return;

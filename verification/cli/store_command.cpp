@@ -26,6 +26,11 @@ struct OldResult {
   std::uintmax_t size;    // [byte]
 };
 
+struct OldResults {
+  std::vector<OldResult> results;
+  std::vector<fs::path> foreign;  // they look alike, but the store has not made them
+};
+
 constexpr const char* unreadable = "a result that cannot be read";
 
 // Returns what lies under a key of another build; nullopt if a present build may still use it.
@@ -45,12 +50,15 @@ std::optional<std::string> name_of_old(const ResultStore& store, const std::stri
 
 // Returns the results that no build of this tree produces any more. A result of a present build is
 // never old, whatever case file it belongs to, nor is one of a solver whose build is unknown.
-std::vector<OldResult> old_results(const ResultStore& store, const PresentAnswers& present) {
-  std::vector<OldResult> old;
+OldResults old_results(const ResultStore& store, const PresentAnswers& present) {
+  OldResults old;
   for (const std::string& key : store.keys()) {
     if (present.gave(key)) continue;
-    if (const auto name = name_of_old(store, key, present))
-      old.push_back({key, *name, store.size(key)});
+    const auto name = name_of_old(store, key, present);
+    if (!name) continue;
+    const StoreContents contents = store.contents(key);
+    if (!contents.made.empty()) old.results.push_back({key, *name, contents.size});
+    old.foreign.insert(old.foreign.end(), contents.foreign.begin(), contents.foreign.end());
   }
   return old;
 }
@@ -87,9 +95,15 @@ void print_line(const char* word, const OldResult& one) {
   std::cout << fmt::format("{:<10} {:>9}  {}, {}\n", word, size_text(one.size), one.name, one.key);
 }
 
-int remove_old(const ResultStore& store, const std::vector<OldResult>& old) {
+void tell_of_foreign(const OldResults& old) {
+  for (const fs::path& path : old.foreign)
+    std::cout << fmt::format("kept       {}, which does not hold the store's seal and this key\n",
+                             path.string());
+}
+
+int remove_old(const ResultStore& store, const OldResults& old) {
   Sum removed;
-  for (const OldResult& one : old) {
+  for (const OldResult& one : old.results) {
     if (!store.remove(one.key)) {
       print_line("in use", one);
       continue;
@@ -97,6 +111,7 @@ int remove_old(const ResultStore& store, const std::vector<OldResult>& old) {
     print_line("removed", one);
     removed.add(one.size);
   }
+  tell_of_foreign(old);
   const Sum left = all_in(store);
   std::cout << fmt::format("{}: {} results removed, {}; {} are left, {}\n", store.root().string(),
                            removed.count, size_text(removed.size), left.count,
@@ -106,11 +121,12 @@ int remove_old(const ResultStore& store, const std::vector<OldResult>& old) {
 
 int tell_of_store(const StoreOptions& options, const Installation& installation) {
   const ResultStore store(std::filesystem::absolute(options.store));
-  const std::vector<OldResult> old =
+  const OldResults old =
       old_results(store, present_answers(installation.builds, installation.openfoam_templates));
   if (options.remove) return remove_old(store, old);
   Sum of_old;
-  for (const OldResult& one : old) {
+  if (!options.total_alone) tell_of_foreign(old);
+  for (const OldResult& one : old.results) {
     if (!options.total_alone) print_line("old", one);
     of_old.add(one.size);
   }
@@ -118,7 +134,7 @@ int tell_of_store(const StoreOptions& options, const Installation& installation)
   std::cout << fmt::format("{}: {} results, {}; {} of them, {}, are of earlier builds{}\n",
                            store.root().string(), all.count, size_text(all.size), of_old.count,
                            size_text(of_old.size),
-                           old.empty() ? "" : ": './slosh store --remove' removes these");
+                           old.results.empty() ? "" : ": './slosh store --remove' removes these");
   return exit_pass;
 }
 

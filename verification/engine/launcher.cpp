@@ -9,6 +9,7 @@
 #include "verification/engine/job_list.hpp"
 #include "verification/engine/ninja_engine.hpp"
 #include "verification/engine/slurm_engine.hpp"
+#include "verification/files/input_files.hpp"
 
 namespace slosh {
 namespace {
@@ -25,12 +26,14 @@ void remove_lists(const fs::path& directory) {
   if (!fs::is_directory(directory)) return;
   for (const auto& entry : fs::directory_iterator(directory))
     // Processes left of an earlier start may write there at this moment; the next start removes it.
-    if (std::error_code none; entry.path().filename().string().starts_with("list_"))
+    if (std::error_code none;
+        entry.path().filename().string().starts_with("list_") && JobList::is_in(entry.path()))
       fs::remove_all(entry.path(), none);
 }
 
 // Removes the logs of earlier starts, so that a job that never starts does not show an old log.
 void remove_logs(const std::vector<Job>& jobs) {
+  for (const Job& job : jobs) require_no_input(job.log_file);
   std::error_code none;
   for (const Job& job : jobs) fs::remove(job.log_file, none);
 }

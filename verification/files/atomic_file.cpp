@@ -8,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "verification/files/input_files.hpp"
+
 namespace slosh {
 namespace {
 
@@ -38,28 +40,50 @@ class Descriptor {
   int id_;
 };
 
-void write_all(const fs::path& file, std::string_view content, Durability durability) {
-  Descriptor descriptor(file, O_WRONLY | O_CREAT | O_TRUNC);
+void write_all(int descriptor, const fs::path& file, std::string_view content) {
   while (!content.empty()) {
     const ssize_t written = ::write(descriptor, content.data(), content.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail("cannot write", file);
     content.remove_prefix(static_cast<std::size_t>(written));
   }
+}
+
+// A device or a pipe has no content to keep. A pipe that nobody reads is an error and no wait.
+void write_through(const fs::path& file, std::string_view content) {
+  Descriptor descriptor(file, O_WRONLY | O_NONBLOCK);
+  ::fcntl(descriptor, F_SETFL, O_WRONLY);  // from here it waits for the reader
+  write_all(descriptor, file, content);
+  descriptor.close(file);
+}
+
+void write_new(const fs::path& file, std::string_view content, Durability durability) {
+  fs::remove(file);  // of a process of this number that was killed
+  Descriptor descriptor(file, O_WRONLY | O_CREAT | O_EXCL);
+  write_all(descriptor, file, content);
   if (durability == Durability::power_loss && ::fsync(descriptor) != 0) fail("cannot write", file);
   descriptor.close(file);
+}
+
+// The file to which symbolic links lead, which need not be there.
+fs::path linked_file(fs::path file) {
+  while (fs::is_symlink(file)) file = file.parent_path() / fs::read_symlink(file);
+  return file;
 }
 
 }  // namespace
 
 void replace_file(const fs::path& file, std::string_view content, Durability durability) {
-  const fs::path directory = fs::absolute(file).parent_path();
+  require_no_input(file);
+  if (fs::exists(file) && !fs::is_regular_file(file))  // throws for links that lead in a circle
+    return write_through(file, content);
+  const fs::path place = linked_file(fs::absolute(file)), directory = place.parent_path();
   fs::create_directories(directory);
   const fs::path temporary =
-      directory / fmt::format(".{}.{}.partial", file.filename().string(), ::getpid());
+      directory / fmt::format(".{}.{}.partial", place.filename().string(), ::getpid());
   try {
-    write_all(temporary, content, durability);
-    fs::rename(temporary, file);
+    write_new(temporary, content, durability);
+    fs::rename(temporary, place);
   } catch (...) {
     std::error_code ignored;
     fs::remove(temporary, ignored);

@@ -20,6 +20,7 @@
 
 #include "verification/files/bound_cores.hpp"
 #include "verification/files/file_lock.hpp"
+#include "verification/files/input_files.hpp"
 
 namespace slosh {
 namespace {
@@ -31,6 +32,7 @@ using Clock = std::chrono::steady_clock;
 using LogFile = std::unique_ptr<FILE, int (*)(FILE*)>;
 
 LogFile open_log(const std::filesystem::path& file) {
+  require_no_input(file);
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   LogFile log(std::fopen(file.c_str(), "we"), std::fclose);
   if (!log) {

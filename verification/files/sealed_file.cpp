@@ -59,6 +59,12 @@ void read_image(std::string_view image, const std::function<void(hid_t)>& read) 
 
 }  // namespace
 
+bool is_sealed(std::string_view bytes) {
+  const std::size_t end = bytes.rfind("\nslosh ");
+  return end != bytes.npos &&
+         bytes.substr(end).ends_with(" " + content_hash(bytes.substr(0, end)) + "\n");
+}
+
 void write_sealed(const SealedKind& kind, const std::filesystem::path& file,
                   const std::function<void(hid_t)>& write) try {
   const hdf5::QuietErrors quiet;

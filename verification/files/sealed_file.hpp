@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string_view>
 
 namespace slosh {
 
@@ -16,6 +17,9 @@ struct SealedKind {
   const char* name;  // "result", "state"
   int version;       // below 1000
 };
+
+// Whether the bytes are a whole sealed file, of any kind and version.
+bool is_sealed(std::string_view bytes);
 
 // `write` fills the root group. Throws ResultError (result_error.hpp) with the file's name.
 void write_sealed(const SealedKind& kind, const std::filesystem::path& file,

@@ -24,6 +24,12 @@ void write_sealed_json(const json& body, const std::filesystem::path& file) try 
   throw ResultError(error.what());
 }
 
+bool is_sealed_json(std::string_view text) {
+  const json document = json::parse(text, nullptr, false);
+  return document.is_object() && document.contains("body") && document.contains("hash") &&
+         document.at("hash") == content_hash(text_of(document.at("body"), -1));
+}
+
 json read_sealed_json(const char* format, const std::filesystem::path& file) try {
   if (!std::filesystem::exists(file)) throw ResultError(file.string() + " does not exist");
   const json document = json::parse(read_bytes(file));

@@ -7,11 +7,15 @@
 
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <string_view>
 
 namespace slosh {
 
 // Replaces bytes that are not UTF-8. Throws ResultError (result_error.hpp) with the file's name.
 void write_sealed_json(const nlohmann::json& body, const std::filesystem::path& file);
+
+// Whether the text is a whole sealed JSON file, of any format.
+bool is_sealed_json(std::string_view text);
 
 // The body. Throws ResultError with the file's name where the file is missing, truncated, altered,
 // or of another format than `format`.

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "verification/files/input_files.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 
@@ -60,6 +61,7 @@ std::string read_definition_text(std::string_view kind, const fs::path& file) {
     throw CaseFileError(
         fmt::format("{}: expected a {} file with text that can be read", file.string(), kind));
   }
+  protect_input(file);
   return text.str();
 }
 

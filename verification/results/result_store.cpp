@@ -4,7 +4,10 @@
 
 #include <set>
 
+#include "verification/files/content_hash.hpp"
 #include "verification/files/result_error.hpp"
+#include "verification/files/sealed_file.hpp"
+#include "verification/files/sealed_json.hpp"
 
 namespace slosh {
 namespace {
@@ -89,7 +92,7 @@ std::vector<fs::path> ResultStore::results() const {
   return found;
 }
 
-std::vector<fs::path> ResultStore::contents(const std::string& key) const {
+std::vector<fs::path> ResultStore::paths(const std::string& key) const {
   std::vector<fs::path> found;
   const std::string answer = answer_of(key);
   for (const auto& entry : fs::directory_iterator(file(key, "").parent_path())) {
@@ -101,15 +104,43 @@ std::vector<fs::path> ResultStore::contents(const std::string& key) const {
 
 std::uintmax_t ResultStore::size(const std::string& key) const {
   std::uintmax_t size = 0;
-  for (const fs::path& path : contents(key)) size += size_of(path);
+  for (const fs::path& path : paths(key)) size += size_of(path);
   return size;
+}
+
+bool ResultStore::has_made(const std::string& key, const fs::path& path) const {
+  const std::string name = path.filename().string(), answer = answer_of(key);
+  const auto is = [&](const char* extension) { return name == answer + extension; };
+  const fs::file_status status = fs::symlink_status(path);
+  const bool has_lock = fs::is_regular_file(file(key, lock_extension));
+  if (fs::is_directory(status)) return has_lock && (is(".work") || is(".timing.work"));
+  if (!fs::is_regular_file(status)) return false;
+  if (name.starts_with(".")) return has_lock && name.ends_with(".partial");
+  const std::string bytes = read_bytes(path);
+  const bool holds_key = bytes.find(key) != bytes.npos;
+  return (is(".h5") && holds_key && is_sealed(bytes)) ||
+         (((is(".json") && holds_key) || is(".timings.json") || is(".failure.json")) &&
+          is_sealed_json(bytes));
+}
+
+StoreContents ResultStore::contents(const std::string& key) const {
+  StoreContents contents;
+  for (const fs::path& path : paths(key)) {
+    const bool made = has_made(key, path);
+    (made ? contents.made : contents.foreign).push_back(path);
+    if (made) contents.size += size_of(path);
+  }
+  return contents;
 }
 
 bool ResultStore::remove(const std::string& key) const {
   struct InUse {};
+  const StoreContents found =
+      contents(key);  // before a lock is there by which more would be its own
+  if (found.made.empty()) return true;
   try {
     const FileLock lock(file(key, lock_extension), [] { throw InUse(); });
-    for (const fs::path& path : contents(key)) fs::remove_all(path);
+    for (const fs::path& path : found.made) fs::remove_all(path);
     return true;
   } catch (const InUse&) {
     return false;
@@ -122,6 +153,11 @@ void require_key_of_place(const std::string& key, const fs::path& file) {
     throw ResultError(
         fmt::format("{}: holds the result of the key {}, expected that of its place, {}",
                     file.string(), key, named));
+}
+
+bool is_named_by_key(const fs::path& file) {
+  return is_half(file.parent_path().filename().string()) &&
+         is_half(answer_in(file.filename().string()));
 }
 
 StoreLock::StoreLock(const ResultStore& store, const std::string& key,

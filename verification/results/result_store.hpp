@@ -21,6 +21,14 @@
 
 namespace slosh {
 
+struct StoreContents {
+  // Sealed results that hold the key, other sealed files, and what a solver has left beside the
+  // key's lock.
+  std::vector<std::filesystem::path> made;
+  std::uintmax_t size = 0;                     // of these [byte]
+  std::vector<std::filesystem::path> foreign;  // what has such a name and is none of these
+};
+
 class ResultStore {
  public:
   explicit ResultStore(std::filesystem::path root) : root_(std::move(root)) {}
@@ -43,12 +51,16 @@ class ResultStore {
   // Returns the size of all files of the key [byte].
   std::uintmax_t size(const std::string& key) const;
 
-  // Removes all files of the key except its lock, which a waiting process may already have open.
-  // Returns false, and removes nothing, where a process holds the key.
+  // Returns what is under the key except its lock. Reads the files.
+  StoreContents contents(const std::string& key) const;
+
+  // Removes what the store has made under the key. The lock stays, as a waiting process may already
+  // have it open. Returns false, and removes nothing, where a process holds the key.
   bool remove(const std::string& key) const;
 
  private:
-  std::vector<std::filesystem::path> contents(const std::string& key) const;
+  std::vector<std::filesystem::path> paths(const std::string& key) const;
+  bool has_made(const std::string& key, const std::filesystem::path& path) const;
 
   std::filesystem::path root_;
 };
@@ -64,6 +76,9 @@ auto read_stored(const std::filesystem::path& file, const Read& read) {
   require_key_of_place(result.key, file);
   return result;
 }
+
+// Returns whether a path has the form of a store's files.
+bool is_named_by_key(const std::filesystem::path& file);
 
 // Holds a key of the store for this process alone during its lifetime, and removes the half-written
 // files of a process that died there. Waits for another process that holds the key. Throws

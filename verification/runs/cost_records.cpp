@@ -8,6 +8,8 @@
 #include <sstream>
 #include <vector>
 
+#include "verification/files/input_files.hpp"
+
 namespace slosh {
 namespace {
 
@@ -31,6 +33,7 @@ std::string last_lines(const std::filesystem::path& file) {
 
 void record_cost(const CostRecord& record, const ResultStore& store) {
   if (!(record.taken >= shortest) || !(record.modelled > 0)) return;
+  require_no_input(file_of(store));
   // A short line is one write, so that the lines of runs that end together do not mix.
   std::ofstream(file_of(store), std::ios::app)
       << fmt::format("{} {:.4g} {:.4g}\n", record.solver, record.modelled, record.taken);

@@ -9,6 +9,7 @@
 #include "verification/case/gap_friction.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/solvers/external_command.hpp"
 
@@ -132,9 +133,20 @@ void add_answer(ContentHash& answer, const std::string& solver, const fs::path& 
 
 }  // namespace
 
+void protect_inputs(const CaseDefinition& definition, const RunDefinition& run) {
+  std::vector<fs::path> files;
+  if (const auto* external = std::get_if<ExternalRun>(&run.solver)) {
+    files = external_inputs(*external, definition);
+    files.push_back(external_program(*external, definition));
+  }
+  if (const auto* stored = std::get_if<StoredRun>(&run.solver)) files = stored_files(*stored);
+  for (const fs::path& file : files) protect_input(file);
+}
+
 std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
                     const std::filesystem::path& builds,
                     const std::filesystem::path& openfoam_templates) {
+  protect_inputs(definition, run);
   ContentHash question, answer;
   json asked{{"case", physics(definition_solved_by(run, definition))},
              {"run", hashed_settings(run)}};

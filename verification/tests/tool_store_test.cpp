@@ -13,10 +13,14 @@ class ToolStore : public SmallCampaign {
  protected:
   ToolStore() { write_campaign(particles_case); }
 
-  // What is under one of the store's keys, under that of a build that is none of this tree's.
-  fs::path made_old(const fs::path& result) const {
-    const fs::path old = result.parent_path() / (std::string(32, '0') + ".h5");
-    fs::rename(result, old);
+  // Makes a result of the store that of a build that is none of this tree's.
+  static fs::path made_old(const fs::path& file) {
+    const std::string answer(32, '0');
+    RunResult result = read_result(file);
+    result.key = file.parent_path().filename().string() + "-" + answer;
+    const fs::path old = file.parent_path() / (answer + ".h5");
+    write_result(result, old);
+    fs::remove(file);
     return old;
   }
 };
@@ -70,11 +74,22 @@ TEST_F(ToolStore, TellsAndRemovesWhatEarlierBuildsLeftAndNothingElse) {
   EXPECT_TRUE(holds(tool({"store"}).out, "; 0 of them, 0.0 kB, are of earlier builds\n"));
 }
 
-TEST_F(ToolStore, CallsAResultOldThatCannotBeReadUnderAKeyOfNoBuild) {
+TEST_F(ToolStore, KeepsWhatOnlyLooksLikeAResultAndSaysSo) {
   const fs::path question = store() / std::string(32, 'a');
-  fs::create_directories(question);
-  std::ofstream(question / (std::string(32, '0') + ".h5")) << "cut off";
-  EXPECT_TRUE(holds(tool({"store"}).out, "a result that cannot be read, "));
+  const std::string answer(32, '0');
+  fs::create_directories(question / (answer + ".work"));
+  for (const char* file : {".h5", ".json", ".timings.json", ".notes.txt"})
+    std::ofstream(question / (answer + file)) << "a week of work";
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"store"}, {"store", "--remove"}}) {
+    const Ended ended = tool(words);
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    for (const char* file : {".work", ".h5", ".json", ".timings.json", ".notes.txt"}) {
+      EXPECT_TRUE(holds(ended.out, "kept       " + (question / (answer + file)).string() + ", "));
+      EXPECT_TRUE(fs::exists(question / (answer + file)));
+    }
+    EXPECT_FALSE(holds(ended.out, "removed  "));
+  }
 }
 
 }  // namespace

@@ -225,6 +225,27 @@ TEST(WrittenReport, NeverReplacesADirectoryOfOtherThings) {
   EXPECT_EQ(read_text(scratch / "thesis.tex"), "years of work");
 }
 
+TEST(WrittenReport, NeverReplacesADirectoryThatOnlyHasTheNamesOfAReports) {
+  for (const char* own : {"report.md", "report.pdf", "figures/tank.tex", "figures/old/tank.svg",
+                          "tables/motion.toml", "figures"}) {
+    const ScratchDirectory scratch;
+    const fs::path file = scratch / "report" / own;
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << "years of work";
+    EXPECT_THROW(write_report(sample_report(), scratch / "report"), ReportError) << own;
+    EXPECT_EQ(read_text(file), "years of work");
+  }
+}
+
+TEST(WrittenReport, ReplacesPagesThatSomebodyEdited) {
+  const ScratchDirectory scratch;
+  write_report(paged_report(), scratch / "report");
+  for (const char* page : {"index.html", "waves.html", "results.json"})
+    write_text(scratch / "report" / page, "edited");
+  write_report(paged_report(), scratch / "report");
+  EXPECT_NE(read_text(scratch / "report/waves.html"), "edited");
+}
+
 TEST(WrittenReport, CannotBePutWhereNothingCanBeWritten) {
   EXPECT_THROW(write_report(sample_report(), "/proc/nowhere/report"), ReportError);
 }

@@ -97,12 +97,15 @@ TEST_F(KnownDrawingsTest, AreThoseOfTheLastReportAlone) {
 
 TEST_F(KnownDrawingsTest, LeaveTheUsersOwnFilesAlone) {
   fs::create_directories(kept() / "of the tank");
-  reports::write_text(kept() / "tank.svg", "a week of work");
+  const std::string like_a_drawing(32, 'a');
+  for (const std::string& own : {std::string("tank.svg"), like_a_drawing})
+    reports::write_text(kept() / own, "a week of work");
   draw("plot x\n");
   draw("plot 2 * x\n");
-  EXPECT_EQ(reports::read_text(kept() / "tank.svg"), "a week of work");
+  for (const std::string& own : {std::string("tank.svg"), like_a_drawing})
+    EXPECT_EQ(reports::read_text(kept() / own), "a week of work");
   EXPECT_TRUE(fs::exists(kept() / "of the tank"));
-  EXPECT_EQ(files(), 3u);
+  EXPECT_EQ(files(), 4u);
 }
 
 TEST_F(KnownDrawingsTest, AreNotKeptOfAReportThatFailed) {

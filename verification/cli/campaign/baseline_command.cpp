@@ -8,6 +8,7 @@
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/cli/campaign/assessed_campaign.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/results/provenance.hpp"
 
@@ -77,6 +78,7 @@ int propose_baseline(const CampaignOptions& options, const Installation& install
     std::cout << "nothing to propose: the baseline stands\n";
     return exit_pass;
   }
+  for (const fs::path& file : {now.ledger, head_of(now.ledger)}) protect_input(file);
   write_proposal(proposal, now.proposal);
   std::cout << "proposal: " << now.proposal.string() << "\n";
   return exit_pass;
@@ -92,6 +94,7 @@ int approve_baseline(const CampaignOptions& options, const ApprovalOptions& appr
     throw LedgerError(now.proposal.string() +
                       ": the results or the baseline have changed since it was made; expected a "
                       "proposal of what stands, by `slosh baseline propose`");
+  protect_input(now.proposal);
   append_approval({now.campaign, provenance("").at("date_utc"), approval.who, approval.reason,
                    proposal.changes},
                   now.ledger);

@@ -9,6 +9,7 @@
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/cli/campaign/gate_files.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/texts/assessment_text.hpp"
 
 namespace slosh {
@@ -46,10 +47,9 @@ int status_of(const AssessedCampaign& assessed, const std::vector<RowMovement>& 
   return judged == exit_pass && loses_validation(movements) ? exit_inconclusive : judged;
 }
 
-int judge_campaign(const CampaignOptions& options, const Installation& installation,
+int judge_campaign(RequestedCampaign campaign, const fs::path& ledger,
+                   const CampaignOptions& options, const Installation& installation,
                    const std::atomic<bool>& stop) {
-  RequestedCampaign campaign = requested(options, installation);
-  const fs::path ledger = ledger_of(options, campaign.definition, installation);
   // Read before a program of the user's starts.
   const std::vector<Approval> approvals = read_ledger(ledger);
   const Baseline baseline = baseline_of(approvals);
@@ -72,13 +72,19 @@ int judge_campaign(const CampaignOptions& options, const Installation& installat
                                               : requested_exit(findings.status, options);
 }
 
-// Documents of an earlier start do not outlive a gate that ends early.
+// Documents of an earlier start do not outlive a gate that ends early. They are replaced as soon as
+// the inputs are known, none of which may lie there.
 int gate_campaign(const CampaignOptions& options, const Installation& installation,
                   const std::atomic<bool>& stop) {
   const fs::path directory = place_of(options, installation) / "gate";
-  supersede_gate_files(options.campaign, "the gate has not come to its verdict", directory);
   try {
-    return judge_campaign(options, installation, stop);
+    RequestedCampaign campaign = requested(options, installation);
+    const fs::path ledger = ledger_of(options, campaign.definition, installation);
+    for (const fs::path& file : {ledger, head_of(ledger)}) protect_input(file);
+    supersede_gate_files(options.campaign, "the gate has not come to its verdict", directory);
+    return judge_campaign(std::move(campaign), ledger, options, installation, stop);
+  } catch (const OutputError&) {
+    throw;
   } catch (const std::exception& error) {
     supersede_gate_files(options.campaign, error.what(), directory);
     throw;

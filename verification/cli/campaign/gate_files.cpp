@@ -11,6 +11,7 @@
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/files/atomic_file.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 
 namespace slosh {
@@ -201,6 +202,7 @@ void write_gate_files(const reports::GateDocument& document, const fs::path& dir
 void supersede_gate_files(const std::string& campaign, const std::string& why,
                           const fs::path& directory) {
   const std::array files{directory / junit_name, directory / markdown_name};
+  for (const fs::path& one : files) require_no_input(one);
   if (std::none_of(files.begin(), files.end(), [](const fs::path& one) { return fs::exists(one); }))
     return;
   const reports::GateDocument document{

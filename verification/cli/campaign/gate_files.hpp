@@ -33,7 +33,8 @@ void write_gate_files(const reports::GateDocument& document,
                       const std::filesystem::path& directory);
 
 // Replaces the documents of an earlier start, if any, by ones that say why the campaign is not
-// judged, and removes them where they cannot be replaced. Throws as write_gate_files() does.
+// judged, and removes them where they cannot be replaced. Throws as write_gate_files() does, and
+// OutputError where one of them is an input.
 void supersede_gate_files(const std::string& campaign, const std::string& why,
                           const std::filesystem::path& directory);
 

@@ -13,6 +13,7 @@
 #include "verification/cli/campaign/assessed_campaign.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/input_files.hpp"
 #include "verification/input/case_file_error.hpp"
 
 namespace slosh {
@@ -40,6 +41,7 @@ int report_of_all(const CampaignOptions& options, const Installation& installati
   std::vector<std::string> left_out;
   for (const fs::path& file : results_in(directory)) try {
       if (!fs::is_regular_file(file)) throw std::invalid_argument("expected a file");
+      protect_input(file);
       campaigns.push_back(recorded_campaign(
           read_bytes(file), fs::relative(file.parent_path() / "index.html", directory).string()));
     } catch (const std::invalid_argument& error) {
@@ -52,6 +54,7 @@ int report_of_all(const CampaignOptions& options, const Installation& installati
         "--all: expected reports of campaigns, NAME/report/results.json, in {}; `slosh campaign "
         "NAME` leaves one",
         directory.string()));
+  require_no_input(directory / "report");
   const reports::Report report = report_of_campaigns(campaigns, left_out);
   reports::write_report(report, directory / "report", {.threads = sph::usable_cores()});
   const int status = exit_status(campaigns, left_out);

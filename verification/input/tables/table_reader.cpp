@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "verification/files/input_files.hpp"
+
 namespace slosh {
 namespace {
 
@@ -47,6 +49,7 @@ std::string with_code_points(std::string_view text) {
 }  // namespace
 
 TableReader::TableReader(const std::filesystem::path& file) : file_(file), stream_(file) {
+  protect_input(file);
   next();
   if (is_utf_16(line_))
     refuse("encoding", "UTF-16", "UTF-8, as iconv -f UTF-16 -t UTF-8 writes it");

@@ -11,7 +11,9 @@
 
 #include "verification/files/content_hash.hpp"
 #include "verification/files/result_error.hpp"
+#include "verification/results/result_file.hpp"
 #include "verification/results/result_seals.hpp"
+#include "verification/results/run_failure.hpp"
 #include "verification/results/timings.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
@@ -124,27 +126,75 @@ TEST_F(Store, ListsItsKeysAndNothingElseThatLiesThere) {
   EXPECT_EQ(store.keys(), (std::vector<std::string>{removed_key, kept_key}));
 }
 
-TEST_F(Store, RemovesAllOfAKeyAndNothingOfAnother) {
-  put(kept_key, ".h5");
-  for (const char* extension : {".h5", ".timings.json", ".lock"}) put(removed_key, extension);
+// A result that lies under one key and holds one.
+void put_result(const ResultStore& store, const std::string& under, const std::string& key) {
+  RunResult result{};
+  result.key = key;
+  result.series = {{"elevation", "m", {0, 1}, {0, 1}}};
+  write_result(result, store.file(under, ".h5"));
+}
+
+TEST_F(Store, RemovesAllThatItHasMadeUnderAKeyAndNothingOfAnother) {
+  put_result(store, kept_key, kept_key);
+  put_result(store, removed_key, removed_key);
+  add_timing({}, store.file(removed_key, ".timings.json"));
+  write_failure({}, store.file(removed_key, ".failure.json"));
+  put(removed_key, ".lock");
+  const fs::path half =
+      store.file(removed_key, "").parent_path() / ("." + answer + ".h5.1.partial");
+  std::ofstream(half) << "half";
   const fs::path work = store.file(removed_key, ".work");
   fs::create_directories(work / "case");
   std::ofstream(work / "case/log") << "0123456789";
-  EXPECT_EQ(store.size(removed_key), 12u);
+  EXPECT_EQ(store.contents(removed_key).made.size(), 5u);
+  EXPECT_EQ(store.contents(removed_key).size, store.size(removed_key));
   EXPECT_TRUE(store.remove(removed_key));
   EXPECT_EQ(store.keys(), std::vector<std::string>{kept_key});
   EXPECT_FALSE(fs::exists(work));
   EXPECT_EQ(store.size(removed_key), 0u);
 }
 
+TEST_F(Store, RemovesNothingThatOnlyLooksLikeWhatItHasMade) {
+  put_result(store, removed_key, kept_key);  // another key's
+  for (const char* extension : {".json", ".timings.json", ".failure.json", ".txt", ""})
+    put(removed_key, extension);
+  for (const char* extension : {".work", ".notes"})  // no lock is beside them
+    fs::create_directories(store.file(removed_key, extension) / "mine");
+  fs::create_symlink("elsewhere", store.file(removed_key, ".timing.work"));
+  const auto count = [&] {
+    return std::distance(fs::directory_iterator(directory.path() / question), {});
+  };
+  const auto before = count();
+  EXPECT_EQ(store.contents(removed_key).foreign.size(), static_cast<std::size_t>(before));
+  EXPECT_TRUE(store.contents(removed_key).made.empty());
+  EXPECT_TRUE(store.remove(removed_key));
+  EXPECT_EQ(count(), before);
+}
+
+TEST_F(Store, TakesNoResultForItsOwnThatWasCutAlteredOrFollowedByMore) {
+  put_result(store, removed_key, removed_key);
+  const fs::path file = store.file(removed_key, ".h5");
+  const std::string whole = read_bytes(file);
+  std::string altered = whole;
+  altered[altered.size() / 2] ^= 1;
+  for (const std::string& text :
+       {whole.substr(0, whole.size() - 1), altered, whole + "x", std::string(), removed_key}) {
+    std::ofstream(file, std::ios::binary) << text;
+    EXPECT_TRUE(store.contents(removed_key).made.empty());
+  }
+  std::ofstream(file, std::ios::binary) << whole;
+  EXPECT_EQ(store.contents(removed_key).made.size(), 1u);
+}
+
 TEST_F(Store, RemovesNothingOfAKeyThatIsHeld) {
-  put(removed_key, ".h5");
+  put_result(store, removed_key, removed_key);
   {
     const StoreLock holder(store, removed_key);
     EXPECT_FALSE(store.remove(removed_key));
     EXPECT_TRUE(fs::exists(store.file(removed_key, ".h5")));
   }
   EXPECT_TRUE(store.remove(removed_key));
+  EXPECT_FALSE(fs::exists(store.file(removed_key, ".h5")));
 }
 
 TEST_F(Store, KeepsTimingsAndComparesThoseOfOneProcessor) {

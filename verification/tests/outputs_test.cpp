@@ -1,0 +1,412 @@
+// Where outputs go: no input is lost, devices, pipes and links stay what they are, and what cannot
+// be written is said.
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+
+#include <boost/algorithm/string/replace.hpp>
+#include <cmath>
+#include <functional>
+
+#include "verification/results/result_file.hpp"
+#include "verification/tests/small_campaign.hpp"
+
+namespace slosh::outputs_test {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+// A command whose output goes to the place. Where it writes into a directory, `file` is the one
+// there that goes to the place.
+struct Output {
+  const char* name;
+  Words words;  // "PLACE" stands for the place, or for the directory
+  std::string file, ending;
+  Words inputs;
+  int status = 0;  // where it can write
+};
+
+const Words of_case{"small.toml", "motion.csv"};
+const Words of_study{"small.toml", "motion.csv", "wave.csv", "solve"};
+const Words of_campaign{"small.toml",  "motion.csv",   "wave.csv",         "solve",
+                        "surges.toml", "ledger.jsonl", "ledger.jsonl.head"};
+
+const std::vector<Output>& outputs() {
+  static const std::vector<Output> all{
+      {"export", {"export", "theory.h5", "--csv", "-o", "PLACE"}, "", "", {"theory.h5"}},
+      {"compare",
+       {"compare", "theory.h5", "mine.h5", "--case", "./small.toml", "--gauge", "right", "--json",
+        "PLACE"},
+       "",
+       "",
+       {"theory.h5", "mine.h5", "small.toml", "motion.csv"}},
+      {"import",
+       {"import", "wave.csv", "--format", "csv", "--time", "time", "--series",
+        "elevation@right=elevation@right", "-o", "PLACE"},
+       "",
+       "",
+       {"wave.csv"}},
+      {"surface",
+       {"surface", "particles.csv", "--case", "./small.toml", "--spacing", "0.1", "-o", "PLACE"},
+       "",
+       "",
+       {"particles.csv", "small.toml", "motion.csv"}},
+      {"reference", {"reference", "./small.toml", "-o", "PLACE"}, "", ".csv", of_case},
+      {"run", {"run", "./small.toml", "mine", "-o", "PLACE"}, "", "", of_study},
+      {"run --progress-file",
+       {"run", "./small.toml", "mine", "-o", "new.h5", "--progress-file", "PLACE"},
+       "",
+       "",
+       of_study},
+      {"show", {"show", "./small.toml", "-o", "PLACE"}, "", ".svg", of_case},
+      {"converge",
+       {"converge", "./small.toml", "--family", "copy", "--spacings", "0.04,0.02,0.01", "-o",
+        "PLACE"},
+       "small.toml",
+       "",
+       of_study},
+      {"gate, its page",
+       {"gate", "./surges.toml", "--ledger", "ledger.jsonl", "-o", "PLACE"},
+       "gate/gate.md",
+       "",
+       of_campaign},
+      {"gate, its JUnit",
+       {"gate", "./surges.toml", "--ledger", "ledger.jsonl", "-o", "PLACE"},
+       "gate/junit.xml",
+       "",
+       of_campaign},
+      {"baseline propose",
+       {"baseline", "propose", "./surges.toml", "--ledger", "ledger.jsonl", "-o", "PLACE"},
+       "baseline_proposal.json",
+       "",
+       of_campaign}};
+  return all;
+}
+
+Words put(Words words, const std::string& place) {
+  for (std::string& word : words) boost::replace_all(word, "PLACE", place);
+  return words;
+}
+
+class Outputs : public SmallCampaign {
+ protected:
+  // A case with a table of motion and a program that copies theory, a campaign, its ledger, and
+  // results.
+  Outputs() {
+    std::string motion = "time_s,displacement_m\n";
+    for (int i = 0; i <= 900; ++i)
+      motion += std::to_string(0.01 * i) + "," + std::to_string(0.02 * std::sin(0.03 * i)) + "\n";
+    write("motion.csv", motion);
+    write("solve", "#!/bin/sh\ncp \"$1\" \"$2/wave.csv\"\n");
+    fs::permissions(directory() / "solve", fs::perms::owner_all);
+    const std::string case_text =
+        with(small_case, "type = \"sine\"\namplitude_m = 0.02\nangular_frequency_rad_s = 3.0\n",
+             "type = \"table\"\nfile = \"motion.csv\"\n");
+    write_campaign(case_text);
+    EXPECT_EQ(run("theory").status, 0);
+    EXPECT_EQ(tool({"export", "theory.h5", "-o", "wave.csv"}).status, 0);
+    write_campaign(case_text + program +
+                   with(gate_on("mine"), "mode = \"forced\"\nmetric = \"amplitude_error\"",
+                        "mode = \"whole\"\nmetric = \"normalised_rms\""));
+    const Ended mine = run("mine");
+    EXPECT_EQ(mine.status, 0) << mine.err;
+    write("particles.csv", "time,x,z\n0,0.5,0.1\n0,0.6,0.1\n");
+  }
+
+  void begin_ledger() const {
+    ASSERT_EQ(campaign().status, 0);
+    const Words common{"./surges.toml", "-o", "out", "--ledger", "ledger.jsonl", "--new"};
+    for (Words words : {Words{"baseline", "propose"},
+                        Words{"baseline", "approve", "--who", "A", "--reason", "b"}}) {
+      words.insert(words.begin() + 2, common.begin(), common.end());
+      const Ended ended = tool(words);
+      ASSERT_EQ(ended.status, 0) << ended.out << ended.err;
+    }
+    // Something to propose.
+    write("small.toml", with(read("small.toml"), "limit = 0.3", "limit = 0.29"));
+  }
+
+  // Starts the command with its output at this place, where `lay` puts what is there before.
+  Ended start_at(const Output& output, const std::string& name,
+                 const std::function<void(const fs::path&)>& lay) const {
+    std::string place = name + output.ending;
+    fs::path there = directory() / place;
+    if (!output.file.empty()) {
+      there = directory() / name / output.file;
+      place = name;
+    }
+    fs::create_directories(there.parent_path());
+    if (lay) lay(there);
+    return tool(put(output.words, place));
+  }
+
+  fs::path place_of(const Output& output, const std::string& name) const {
+    return directory() /
+           (output.file.empty() ? fs::path(name + output.ending) : fs::path(name) / output.file);
+  }
+
+  static const std::string program;
+};
+
+const std::string Outputs::program = R"([[run]]
+name = "mine"
+solver = "external"
+method = "copy"
+particle_spacing_m = 0.04
+command = ["./solve", "wave.csv", "{work_directory}"]
+directory = "."
+inputs = ["wave.csv"]
+[[run.series]]
+quantity = "elevation@right"
+file = "wave.csv"
+format = "csv"
+time_column = "time"
+column = "elevation@right"
+)";
+
+TEST_F(Outputs, ReplaceNoInputByItsNameOrByALink) {
+  begin_ledger();
+  int count = 0;
+  for (const Output& output : outputs())
+    for (const std::string& input : output.inputs) {
+      const fs::path file = directory() / input;
+      const std::string before = read(input);
+      const auto expect_refused = [&](const char* way, const Ended& ended) {
+        SCOPED_TRACE(std::string(output.name) + " onto " + input + ", " + way);
+        EXPECT_EQ(ended.status, 2) << ended.out << ended.err;
+        EXPECT_TRUE(holds(ended.err, "is an input of this command and would be lost"));
+        EXPECT_EQ(read(input), before);
+        write(input, before);
+      };
+      const std::string name = "place_" + std::to_string(++count);
+      expect_refused("a symbolic link", start_at(output, name, [&](const fs::path& there) {
+                       fs::create_symlink(file, there);
+                     }));
+      EXPECT_TRUE(fs::is_symlink(place_of(output, name)));
+      expect_refused("a hard link", start_at(output, name + "h", [&](const fs::path& there) {
+                       fs::create_hard_link(file, there);
+                     }));
+      if (output.file.empty() && input.ends_with(output.ending))
+        expect_refused("its own name", tool(put(output.words, input)));
+    }
+}
+
+TEST_F(Outputs, OfAStudyReplaceItsOwnCaseFileAndNoOther) {
+  Words study = put(outputs()[8].words, "study");
+  ASSERT_EQ(study.front(), "converge");
+  EXPECT_NE(tool(study).status, 2);
+  const std::string made = read("study/small.toml");
+  EXPECT_NE(tool(study).status, 2);
+  EXPECT_EQ(read("study/small.toml"), made);
+  write("study/small.toml", "a case of the user's");
+  const Ended refused = tool(study);
+  EXPECT_EQ(refused.status, 2) << refused.err;
+  EXPECT_TRUE(holds(refused.err, "study/small.toml: expected another directory for --output"));
+  EXPECT_EQ(read("study/small.toml"), "a case of the user's");
+}
+
+TEST_F(Outputs, RemoveNoDirectoryOfAUsersFromThatOfTheJobs) {
+  fs::create_directories(directory() / "out/jobs/list_of_mine");
+  write("out/jobs/list_of_mine/notes.txt", "a week of work");
+  EXPECT_EQ(campaign().status, 0);
+  EXPECT_EQ(read("out/jobs/list_of_mine/notes.txt"), "a week of work");
+}
+
+TEST_F(Outputs, ReplaceNoInputThatLiesInADirectoryOfTheTool) {
+  const Words report{"report", "./out/report/tables/surges.toml", "-o", "out"};
+  fs::create_directories(directory() / "out/report/tables");
+  fs::copy_file(directory() / "surges.toml", directory() / "out/report/tables/surges.toml");
+  fs::copy_file(directory() / "small.toml", directory() / "out/report/tables/small.toml");
+  for (const char* file : {"motion.csv", "wave.csv", "solve"})
+    fs::copy_file(directory() / file, directory() / "out/report/tables" / file);
+  const Ended reported = tool(report);
+  EXPECT_EQ(reported.status, 2) << reported.out << reported.err;
+  EXPECT_TRUE(holds(reported.err, "is an input of this command and would be lost"));
+  EXPECT_TRUE(fs::exists(directory() / "out/report/tables/surges.toml"));
+
+  // Before it starts, the program's directory is emptied.
+  fs::create_directory(directory() / "new.work");
+  fs::rename(directory() / "out/report/tables", directory() / "new.work/mine.external");
+  const Ended ran = tool({"run", "./new.work/mine.external/small.toml", "mine", "-o", "new.h5"});
+  EXPECT_EQ(ran.status, 2) << ran.out << ran.err;
+  EXPECT_TRUE(holds(ran.err, "which lies there, is an input of this command and would be lost"));
+  EXPECT_TRUE(fs::exists(directory() / "new.work/mine.external/small.toml"));
+}
+
+TEST_F(Outputs, FollowLinksWhichStay) {
+  for (const Output& output : outputs()) {
+    if (output.name == std::string("run --progress-file")) continue;
+    SCOPED_TRACE(output.name);
+    if (output.name == std::string("gate, its page")) begin_ledger();
+    const std::string name = "linked_" + std::to_string(&output - outputs().data());
+    const std::string target = name + ".target";
+    for (const bool is_there : {false, true}) {
+      if (is_there && output.name == std::string("converge")) continue;  // it would be the user's
+      if (is_there) write(target, "old");
+      const std::string place = name + (is_there ? "_full" : "_new");
+      const Ended ended = start_at(output, place, [&](const fs::path& there) {
+        fs::create_symlink(directory() / target, there);
+      });
+      EXPECT_NE(ended.status, 2) << ended.err;
+      EXPECT_TRUE(fs::is_symlink(place_of(output, place)));
+      EXPECT_GT(read(target).size(), 3u);
+      fs::remove(directory() / target);
+    }
+  }
+}
+
+// A device of the test's own, with the numbers of /dev/null or /dev/full.
+bool make_device(const fs::path& file, unsigned number) {
+  return ::mknod(file.c_str(), S_IFCHR | 0666, makedev(1, number)) == 0;
+}
+
+bool is_device(const fs::path& file, unsigned number) {
+  struct stat status {};
+  return ::stat(file.c_str(), &status) == 0 && S_ISCHR(status.st_mode) &&
+         status.st_rdev == makedev(1, number);
+}
+
+TEST_F(Outputs, GoThroughDevicesWhichStay) {
+  constexpr unsigned null = 3, full = 7;
+  if (!make_device(directory() / "device", null)) GTEST_SKIP() << "no device can be made here";
+  begin_ledger();
+  for (const Output& output : outputs()) {
+    SCOPED_TRACE(output.name);
+    const bool may_fail = output.name == std::string("run --progress-file");
+    const std::string name = std::to_string(&output - outputs().data());
+    for (const unsigned number : {null, full}) {
+      const std::string place = "device_" + name + "_" + std::to_string(number);
+      const Ended ended = start_at(
+          output, place, [&](const fs::path& there) { ASSERT_TRUE(make_device(there, number)); });
+      EXPECT_TRUE(is_device(place_of(output, place), number));
+      if (number == full && !may_fail) {
+        EXPECT_EQ(ended.status, 4) << ended.out << ended.err;
+        EXPECT_TRUE(holds(ended.err, "No space left on device"));
+      } else if (output.file.empty()) {
+        EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+      }
+    }
+  }
+}
+
+TEST_F(Outputs, GoThroughPipesWhichStayAndWaitForNoReader) {
+  for (const Output& output : outputs()) {
+    if (!output.file.empty()) continue;
+    SCOPED_TRACE(output.name);
+    const fs::path pipe = directory() / ("pipe" + output.ending);
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0666), 0);
+    const bool may_fail = output.name == std::string("run --progress-file");
+    const Ended unread = tool(put(output.words, pipe.filename().string()));
+    EXPECT_EQ(unread.status, may_fail ? 0 : 4) << unread.out << unread.err;
+    std::string command;
+    for (const std::string& word : put(output.words, pipe.filename().string()))
+      command += " '" + word + "'";
+    const Ended ended =
+        end_of(start("/bin/sh", {"-c",
+                                 "timeout 20 cat pipe" + output.ending + " > got & \"$0\"" +
+                                     command + "; status=$?; wait; exit $status",
+                                 SLOSH_TOOL}));
+    EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+    EXPECT_FALSE(read("got").empty());
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    fs::remove(pipe);
+  }
+}
+
+TEST_F(Outputs, RefuseEmptyPathsByTheNameOfTheOption) {
+  std::vector<Words> all{{"--store", "run", "./small.toml", "theory", "--store", ""},
+                         {"--store", "store", "--store", ""},
+                         {"--store", "store", "--store="},
+                         {"--output", "campaign", "./surges.toml", "-o", ""},
+                         {"--output", "report", "./surges.toml", "--output="},
+                         {"--output", "case", "./small.toml", "--for", "csv", "-o", ""},
+                         {"--output", "new", "other", "--like", "./small.toml", "-o", ""},
+                         {"--output", "problem", "kernels", "-o", ""},
+                         {"--ledger", "gate", "./surges.toml", "--ledger", ""},
+                         {"--ledger", "baseline", "approve", "./surges.toml", "--ledger", "",
+                          "--new", "--who", "a", "--reason", "b"},
+                         {"--campaign", "run", "./small.toml", "theory", "--campaign", ""},
+                         {"--experiments", "check", "./small.toml", "--experiments", ""},
+                         {"--case", "compare", "theory.h5", "mine.h5", "--case", ""}};
+  for (const Output& output : outputs()) {
+    const std::size_t last = output.words.size() - 2;
+    const std::string option = output.words[last] == "-o" ? "--output" : output.words[last];
+    all.push_back(put(output.words, ""));
+    all.back().insert(all.back().begin(), option);
+  }
+  for (const Words& words : all) {
+    const Ended ended = tool({words.begin() + 1, words.end()});
+    EXPECT_EQ(ended.status, 2) << words[1] << " " << words[0] << ended.out << ended.err;
+    EXPECT_TRUE(holds(ended.err, words[0] + ": ")) << words[1];
+  }
+}
+
+TEST_F(Outputs, OfAFullOrClosedStandardOutputFailEveryCommand) {
+  begin_ledger();
+  std::vector<Words> all{{"list"},
+                         {"list", "--json"},
+                         {"explain", "./small.toml"},
+                         {"explain", "--keys"},
+                         {"check", "./small.toml"},
+                         {"store"},
+                         {"--version"},
+                         {"--help"},
+                         {"report", "./surges.toml", "-o", "out"},
+                         {"campaign", "./surges.toml", "--dry-run"},
+                         {"export", "theory.h5", "--csv"}};
+  for (const Words& words : all)
+    for (const char* target : {"/dev/full", "&-"}) {
+      const Ended ended = [&] {
+        Words shell{"-c", std::string("\"$@\" >") + target, "sh", SLOSH_TOOL};
+        shell.insert(shell.end(), words.begin(), words.end());
+        return end_of(start("/bin/sh", shell));
+      }();
+      EXPECT_EQ(ended.status, 4) << words[0] << " " << target << ended.err;
+      EXPECT_TRUE(holds(ended.err, "standard output: expected a place that takes all"));
+    }
+  EXPECT_EQ(tool({"list"}).status, 0);
+}
+
+TEST_F(Outputs, WriteAReportAgainWhosePagesWereEditedOrRemoved) {
+  ASSERT_EQ(campaign().status, 0);
+  const std::string page = read(report() / "index.html");
+  fs::path figure;
+  for (const auto& entry : fs::directory_iterator(report() / "figures")) figure = entry.path();
+  const auto expect_written = [&](const char* command, const char* what) {
+    const Ended ended = tool({command, "./surges.toml", "--output", "out"});
+    EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+    EXPECT_TRUE(fs::exists(figure)) << what;
+    EXPECT_TRUE(fs::exists(report() / "results.json")) << what;
+    EXPECT_EQ(read(report() / "index.html").size(), page.size()) << what;
+  };
+  for (const char* command : {"report", "campaign"}) {
+    write("out/report/index.html", "edited");
+    expect_written(command, "an edited page");
+    fs::remove(report() / "index.html");
+    expect_written(command, "no page");
+    fs::remove(figure);
+    expect_written(command, "no figure");
+    fs::remove(report() / "results.json");
+    expect_written(command, "no data");
+    fs::remove_all(report());
+    expect_written(command, "no report");
+  }
+  const auto time = fs::last_write_time(report() / "index.html");
+  expect_written("report", "nothing is wrong");
+  EXPECT_EQ(fs::last_write_time(report() / "index.html"), time) << "nothing was to be written";
+}
+
+TEST_F(Outputs, KeepAUsersFileWhereTheLinkOfARunGoes) {
+  fs::create_directories(directory() / "out/runs/small");
+  write("out/runs/small/theory.h5", "my own");
+  fs::create_symlink(directory() / "theory.h5", result("mine"));
+  const Ended ended = campaign();
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  EXPECT_EQ(read(result("theory")), "my own");
+  EXPECT_EQ(fs::read_symlink(result("mine")), directory() / "theory.h5");
+  for (const char* run : {"theory", "mine"})
+    EXPECT_TRUE(holds(ended.err, result(run).string() + " is kept"));
+}
+
+}  // namespace
+}  // namespace slosh::outputs_test
