@@ -175,7 +175,7 @@ const Comparison* comparison_with_truth(const CaseAssessment& assessment, const 
 CaseAssessment assess(CaseDefinition definition, CaseRuns runs) {
   mark_out_of_range(definition, runs);
   mark_other_costs(definition, runs);
-  runs.input_bounds = predict_input_bounds(definition, runs);
+  predict_input_bounds(definition, runs);
   std::vector<std::string> not_filtered = add_filtered_pressures(definition, runs);
   collect_input_bounds(definition, runs);
   CaseAssessment assessment{definition, std::move(runs), {}, std::move(not_filtered), {}};

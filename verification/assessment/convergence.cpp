@@ -1,5 +1,7 @@
 #include "verification/assessment/convergence.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -37,7 +39,8 @@ std::optional<double> order_of(const std::vector<ValueAtStep>& values) try {
 
 std::string why_not_measured(const GateRow& row, const MeasureRow& measure) try {
   measure(row);
-  return "fewer than three spacings have it";
+  return fmt::format("fewer than three spacings have it that differ by a factor of {} or more",
+                     least_refinement_ratio);
 } catch (const std::runtime_error& error) {  // ComparisonError and ResultError
   return error.what();
 }
@@ -81,11 +84,12 @@ Convergence convergence_of(const CaseAssessment& assessment, const ConvergenceQu
     row.mode = mode;
     row.metric = metric;
     row.unit = metric_unit(metric, unit_of(question.quantity));
-    std::vector<RefinedMetric> refined =
+    auto [refined, unknown] =
         refined_metrics(assessment.definition, assessment.runs, row, Role::candidate, measure);
     if (refined.empty() || refined.front().values.size() < 3) {
-      found.not_measured.push_back(mode + " " + metric_name(metric) + ": " +
-                                   why_not_measured(row, measure));
+      found.not_measured.push_back(
+          mode + " " + metric_name(metric) + ": " +
+          (unknown.empty() ? why_not_measured(row, measure) : unknown.front()));
       continue;
     }
     const std::optional<double> half_width = order_half_width(refined.front().values);

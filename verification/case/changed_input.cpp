@@ -10,6 +10,7 @@
 
 #include "verification/case/motion.hpp"
 #include "verification/case/shape/outline.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 
 namespace slosh {
 namespace {
@@ -77,6 +78,47 @@ void move_gauges(CaseDefinition& definition, double change) {
   for (ProbeDefinition& probe : definition.probes) probe.x += change;
 }
 
+bool is_possible(const SineMotion& sine) {
+  return sine.amplitude > 0 && sine.angular_frequency > 0 && std::isfinite(sine.angular_frequency);
+}
+bool is_possible(const SumOfSines& sum) {
+  return std::all_of(sum.sines.begin(), sum.sines.end(),
+                     [](const SineMotion& sine) { return is_possible(sine); });
+}
+bool is_possible(const TableMotion& table) { return table.time.back() > table.time.front(); }
+
+bool moves(const MotionHistory& motion) {
+  return std::visit([](const auto& one) { return is_possible(one); }, motion);
+}
+
+// The value, called `what`, that lies outside its range.
+std::optional<std::string> outside(const std::string& what, double value, double low, double high) {
+  if (value >= low && value <= high) return {};
+  return fmt::format("{} = {:.6g}: expected {:.6g} to {:.6g}", what, value, low, high);
+}
+
+std::optional<std::string> gauge_outside(const CaseDefinition& definition) {
+  const TankDefinition& tank = definition.tank;
+  const Extent surface = still_surface(definition);
+  for (const GaugeDefinition& gauge : definition.gauges)
+    if (auto found = outside(fmt::format("x of gauge {} in m", gauge.name), gauge.x, surface.left,
+                             surface.right))
+      return found;
+  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges) {
+    const bool is_level = gauge.wall == Wall::bottom || gauge.wall == Wall::roof;
+    if (gauge.at) continue;  // it was moved along the outline
+    if (auto found =
+            outside(fmt::format("position of pressure gauge {} in m", gauge.name), gauge.position,
+                    gauge.width / 2, (is_level ? tank.length : tank.height) - gauge.width / 2))
+      return found;
+  }
+  for (const ProbeDefinition& probe : definition.probes)
+    if (auto found =
+            outside(fmt::format("x of probe {} in m", probe.name), probe.x, 0, tank.length))
+      return found;
+  return {};
+}
+
 }  // namespace
 
 std::string input_name(Input input) { return name_of(input, input_names); }
@@ -131,6 +173,24 @@ CaseDefinition with_input(CaseDefinition definition, Input input, double change)
       break;
   }
   return definition;
+}
+
+std::optional<std::string> impossible(const CaseDefinition& definition) {
+  const auto& [surge, roll] = definition.motion;
+  const double depth = definition.liquid.fill_depth;
+  if (!(depth > 0 && depth < definition.tank.height))
+    return fmt::format(
+        "fill depth = {:.6g} m: expected above 0 and below the tank's height, {:g} m", depth,
+        definition.tank.height);
+  if (!(definition.liquid.density > definition.gas.density))
+    return fmt::format("density = {:.6g} kg/m3: expected above that of the gas, {:g} kg/m3",
+                       definition.liquid.density, definition.gas.density);
+  for (const auto& [what, value] : {std::pair{"gravity", definition.gravity},
+                                    {"kinematic viscosity", definition.liquid.kinematic_viscosity}})
+    if (!(value >= 0)) return fmt::format("{} = {:.6g}: expected 0 or more", what, value);
+  if ((surge && !moves(*surge)) || (roll && !moves(roll->angle)))
+    return "the motion: expected amplitudes and periods above zero";
+  return gauge_outside(definition);
 }
 
 CaseDefinition definition_solved_by(const RunDefinition& run, const CaseDefinition& definition) {

@@ -4,6 +4,7 @@
 // the report treats them differently.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,11 @@ std::string input_unit(Input input, const MotionDefinition& motion);
 // start's phase is that of every sine of the motion; std::logic_error is thrown for a table, which
 // has none. Gauges move along x, or along their wall.
 CaseDefinition with_input(CaseDefinition definition, Input input, double change);
+
+// Why no tank can be as the case with a changed input says, after the rules of the case file:
+// "fill_depth_m = 1.05: expected between 0 and the tank's height, 1 m". Returns nullopt where it
+// can.
+std::optional<std::string> impossible(const CaseDefinition& definition);
 
 // Returns the case that the run solves: with a changed input if the run stands at the end of an
 // input's interval, with its drawn inputs if it has any, and as it is otherwise.

@@ -79,8 +79,9 @@ std::vector<std::string> quantity_names();
 bool has_modes(const std::string& series);
 bool is_gauged(const std::string& series);
 
-// The suffix of the series of potential flow from a run with fewer nodes.
-inline constexpr const char* coarser = "/coarser";
+// The suffixes of what a theory leaves beside its series: the same flow with fewer nodes, with more
+// modes, and with an estimate of what linear theory leaves out (SolverKind::leaves).
+inline constexpr const char *coarser = "/coarser", *finer = "/finer", *nonlinear = "/nonlinear";
 // The suffixes of the edges of a record's band.
 inline constexpr const char *lower_edge = "/lower", *upper_edge = "/upper";
 

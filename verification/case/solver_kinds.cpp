@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "verification/case/quantities.hpp"
+
 namespace slosh {
 namespace {
 
@@ -151,8 +153,10 @@ struct Row<InterFoamRun> : CommonRow {
 
 template <>
 struct Row<LinearRun> : CommonRow {
-  static constexpr SolverKind kind{
-      .name = "linear", .role = SolverRole::theory, .takes_outline = true};
+  static constexpr SolverKind kind{.name = "linear",
+                                   .role = SolverRole::theory,
+                                   .leaves = {finer, nonlinear},
+                                   .takes_outline = true};
   static bool sees_gas(const LinearRun& linear) { return linear.two_layer; }
   static std::string modes(const LinearRun& linear) {
     return linear.modes > 0 ? fmt::format(", {} modes", linear.modes) : "";
@@ -173,7 +177,8 @@ struct Row<LinearRun> : CommonRow {
 
 template <>
 struct Row<ViscousWaveRun> : CommonRow {
-  static constexpr SolverKind kind{.name = "viscous_wave", .role = SolverRole::theory};
+  static constexpr SolverKind kind{
+      .name = "viscous_wave", .role = SolverRole::theory, .leaves = {nonlinear}};
   static std::string text(const ViscousWaveRun& wave) {
     return fmt::format("linear wave of a viscous liquid, up to an elevation of {:g} fill depths",
                        wave.valid_elevation_over_depth);
@@ -184,10 +189,8 @@ struct Row<ViscousWaveRun> : CommonRow {
 
 template <>
 struct Row<PotentialRun> : CommonRow {
-  static constexpr SolverKind kind{.name = "potential",
-                                   .role = SolverRole::theory,
-                                   .can_end_early = true,
-                                   .leaves_coarser = true};
+  static constexpr SolverKind kind{
+      .name = "potential", .role = SolverRole::theory, .can_end_early = true, .leaves = {coarser}};
   static std::string text(const PotentialRun& potential) { return "fully " + caption(potential); }
   static std::string caption(const PotentialRun& potential) {
     return fmt::format("nonlinear potential flow, {} x {} nodes", potential.nodes_x,

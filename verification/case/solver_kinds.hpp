@@ -2,6 +2,7 @@
 // is known without running it. What runs it is chosen in verification/solvers/solver_runs.hpp.
 #pragma once
 
+#include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
@@ -27,14 +28,15 @@ struct SolverKind {
   const char* name;  // in case files and results
   SolverRole role;
   AnsweredWith answered_with = AnsweredWith::own_code;
-  const char* build = nullptr;       // the kind whose file of builds counts; its own where null
-  const char* elements = "nodes";    // what a result's cost counts
-  bool solves_flow = false;          // it leaves the fields of the whole flow in its result
-  bool has_particles = false;        // it can write snapshot files, and states to restart from
-  bool takes_time_limit = false;     // of wall time, from the command line
-  bool can_refer = true;             // `slosh converge` may take it as the reference
-  bool can_end_early = false;        // its series may end before the case's duration
-  bool leaves_coarser = false;       // each series also from fewer nodes, with the suffix `coarser`
+  const char* build = nullptr;     // the kind whose file of builds counts; its own where null
+  const char* elements = "nodes";  // what a result's cost counts
+  bool solves_flow = false;        // it leaves the fields of the whole flow in its result
+  bool has_particles = false;      // it can write snapshot files, and states to restart from
+  bool takes_time_limit = false;   // of wall time, from the command line
+  bool can_refer = true;           // `slosh converge` may take it as the reference
+  bool can_end_early = false;      // its series may end before the case's duration
+  // The suffixes of the series that a theory leaves beside each of its own, for its uncertainty.
+  std::array<const char*, 2> leaves = {};
   bool takes_outline = false;        // it takes a tank that is no rectangle
   bool declares_quantities = false;  // its keys name the quantities that it has
 };

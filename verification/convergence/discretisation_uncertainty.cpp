@@ -31,8 +31,11 @@ void require_sound(const Values& values) {
           fmt::format("value {} +- {} at step {}: expected finite numbers, a step above zero and a "
                       "half width that is not negative",
                       value, noise, step));
-    if (i > 0 && step == values[i - 1].step)
-      throw ComparisonError(fmt::format("two values at step {}; expected one a step", step));
+    if (i > 0 && step < least_refinement_ratio * values[i - 1].step)
+      throw ComparisonError(
+          fmt::format("values at the steps {} and {}; expected a factor of {} "
+                      "or more between two steps",
+                      values[i - 1].step, step, least_refinement_ratio));
   }
 }
 

@@ -64,8 +64,8 @@ double first_order_uncertainty(double difference, double step, double finest, do
 
 // Takes values in any order; `at_step` is the step of the value asked for, the finest by default.
 // Throws ComparisonError for fewer than three values, when there is no value at that step, when a
-// step is not above zero or two steps are equal, when a value or its noise is not finite, and when
-// the noise is negative.
+// step is not above zero or two steps differ by less than least_refinement_ratio, when a value or
+// its noise is not finite, and when the noise is negative.
 DiscretisationUncertainty discretisation_uncertainty(std::vector<ValueAtStep> values,
                                                      std::optional<double> at_step = {});
 

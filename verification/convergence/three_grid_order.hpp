@@ -26,6 +26,11 @@ struct ValueAtStep {
 // Factor between the estimated error and its 95 % uncertainty where the order is reliable.
 constexpr double reliable_safety_factor = 1.25;
 
+// Neighbouring steps of a refinement differ by this factor at least. Whatever else differs between
+// two values is multiplied by 1 / (r - 1) in the extrapolation of an error of first order: by more
+// than ten below this ratio. (Celik et al. 2008 ask for 1.3 by experience.)
+constexpr double least_refinement_ratio = 1.1;
+
 // The order p, limited to -10 to 10; nullopt where two neighbouring values are equal. Requires
 // increasing steps and finite values.
 std::optional<double> three_grid_order(const ValueAtStep& fine, const ValueAtStep& medium,

@@ -51,6 +51,17 @@ const TimeSeries& series_of(const CaseRuns& runs, const std::string& run,
   return result_of(runs, run).at(quantity);
 }
 
+TimeSeries moved_series(const CaseRuns& runs, const std::string& run, const std::string& quantity,
+                        const Moved& moved) {
+  TimeSeries series = series_of(runs, run, quantity + moved.suffix);
+  if (!moved.other_way) return series;
+  const TimeSeries& own = series_of(runs, run, quantity);
+  // Potential flow and the one with fewer nodes have their samples in common.
+  const std::size_t common = std::min(series.value.size(), own.value.size());
+  for (std::size_t i = 0; i < common; ++i) series.value[i] = 2 * own.value[i] - series.value[i];
+  return series;
+}
+
 }  // namespace
 
 std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count) {
@@ -98,16 +109,17 @@ CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& run
       modes_(fitted_modes(definition)) {}
 
 const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std::string& run,
-                                             const std::string& quantity, TimeWindow window,
+                                             const std::string& quantity, const Moved& moved,
+                                             TimeWindow window,
                                              const std::vector<ToneRequest>& modes) {
-  const PreparedKey key{role, run, quantity, window.begin, window.end, modes.size()};
+  const PreparedKey key{role, run, quantity + moved.text(), window.begin, window.end, modes.size()};
   if (known_)
     if (const auto known = known_->series.find(key); known != known_->series.end())
       return *known->second;
   std::shared_ptr<const PreparedSeries>& here = fitted_.series[key];
   if (!here) {
-    auto made = std::make_shared<PreparedSeries>(role, series_of(runs_, run, quantity), window,
-                                                 modes, needed_.detail);
+    auto made = std::make_shared<PreparedSeries>(role, moved_series(runs_, run, quantity, moved),
+                                                 window, modes, needed_.detail);
     if (has_series(runs_, run, quantity + lower_edge))
       made->add_band({series_of(runs_, run, quantity + lower_edge),
                       series_of(runs_, run, quantity + upper_edge)});
@@ -119,7 +131,7 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
 // Where a record cannot resolve the modes, the histories alone are compared. A candidate that
 // cannot resolve them is refused.
 Comparison CaseEvidence::compared(const std::string& candidate, const std::string& reference,
-                                  const std::string& quantity, const std::string& ending) {
+                                  const std::string& quantity, const Moved& moved) {
   const TimeWindow window = compared_window(definition_, reference);
   const RecordRun* record = record_named(definition_, reference);
   if (record && !(window.end > window.begin))
@@ -131,8 +143,8 @@ Comparison CaseEvidence::compared(const std::string& candidate, const std::strin
   if (has_modes(quantity)) modes = modes_;
   if (record && !resolves(modes, series_of(runs_, reference, quantity), window)) modes.clear();
   Comparison comparison =
-      compare(prepared("candidate", candidate, quantity, window, modes),
-              prepared("reference", reference, quantity + ending, window, modes), needed_.names);
+      compare(prepared("candidate", candidate, quantity, {}, window, modes),
+              prepared("reference", reference, quantity, moved, window, modes), needed_.names);
   comparison.candidate = candidate;
   comparison.reference = reference;
   return comparison;
@@ -141,18 +153,17 @@ Comparison CaseEvidence::compared(const std::string& candidate, const std::strin
 const Comparison& CaseEvidence::comparison(const std::string& candidate,
                                            const std::string& reference,
                                            const std::string& quantity) {
-  return comparison_with(candidate, reference, quantity, "");
+  return comparison_with(candidate, reference, quantity, {});
 }
 
 const Comparison& CaseEvidence::comparison_with(const std::string& candidate,
                                                 const std::string& reference,
-                                                const std::string& quantity,
-                                                const std::string& ending) {
-  const std::array<std::string, 3> key{candidate, reference, quantity + ending};
+                                                const std::string& quantity, const Moved& moved) {
+  const std::array<std::string, 3> key{candidate, reference, quantity + moved.text()};
   if (known_)
     if (const auto known = known_->of.find(key); known != known_->of.end()) return known->second;
   if (const auto fitted = fitted_.of.find(key); fitted != fitted_.of.end()) return fitted->second;
-  return fitted_.of.emplace(key, compared(candidate, reference, quantity, ending)).first->second;
+  return fitted_.of.emplace(key, compared(candidate, reference, quantity, moved)).first->second;
 }
 
 const Contribution& CaseEvidence::input_contribution(const GateRow& row) {
@@ -250,16 +261,19 @@ GateEvidence CaseEvidence::gate_evidence() {
   };
   const GateEvidence evidence{find,     find_series, measure_impacts, {},     cost,
                               ensemble, history,     fields,          repeats};
-  GateEvidence against_coarser = evidence;
-  against_coarser.comparison = [this](const std::string& candidate, const std::string& reference,
-                                      const std::string& quantity) -> const Comparison& {
-    return comparison_with(candidate, reference, quantity, coarser);
+  const auto against_moved = [this, evidence](const GateRow& row, const std::string& suffix,
+                                              bool other_way) {
+    GateEvidence moved = evidence;
+    moved.comparison = [&](const std::string& candidate, const std::string& reference,
+                           const std::string& quantity) -> const Comparison& {
+      return comparison_with(candidate, reference, quantity, {suffix, other_way});
+    };
+    return measured(row, moved);
   };
   const RowMeasures measures{
       .comparison = find,
       .measure = [evidence](const GateRow& row) { return measured(row, evidence); },
-      .measure_against_coarser =
-          [against_coarser](const GateRow& row) { return measured(row, against_coarser); },
+      .measure_against_moved = against_moved,
       .input = [this](const GateRow& row) { return input_contribution(row); },
       .pairs = [evidence](const GateRow& row) { return measured_pairs(row, evidence); },
       .measure_with = measure_with_series()};

@@ -32,8 +32,17 @@ TimeWindow compared_window(const CaseDefinition& definition, const std::string& 
 // its comparisons.
 using PreparedKey = std::tuple<std::string, std::string, std::string, double, double, std::size_t>;
 
+// A series as it is, or moved to the one with the suffix that its run leaves beside it, or as far
+// the other way.
+struct Moved {
+  std::string suffix = {};
+  bool other_way = false;
+
+  std::string text() const { return suffix + (other_way ? "/other_way" : ""); }
+};
+
 struct FittedComparisons {
-  // By candidate, reference and the reference's quantity.
+  // By candidate, reference and the reference's quantity, moved or not.
   std::map<std::array<std::string, 3>, Comparison> of;
   std::map<PreparedKey, std::shared_ptr<const PreparedSeries>> series;
   // input_uncertainty() by row_name(); it does not depend on the candidate's own series.
@@ -76,17 +85,17 @@ class CaseEvidence {
   FittedComparisons fitted_;
   std::map<std::string, Estimate> of_repeats_ = {};  // by row; before any correction
 
-  // Compares with the reference's series of the quantity whose name has this ending.
+  // Compares with the reference's series, moved or not.
   const Comparison& comparison_with(const std::string& candidate, const std::string& reference,
-                                    const std::string& quantity, const std::string& ending);
+                                    const std::string& quantity, const Moved& moved);
   Comparison compared(const std::string& candidate, const std::string& reference,
-                      const std::string& quantity, const std::string& ending);
+                      const std::string& quantity, const Moved& moved);
   const Contribution& input_contribution(const GateRow& row);
   const Estimate& of_repeats(const std::vector<std::string>& members, const GateRow& row);
   Estimate corrected_p_value(const std::vector<std::string>& members, const GateRow& row);
   MeasureWithSeries measure_with_series() const;
   const PreparedSeries& prepared(const std::string& role, const std::string& run,
-                                 const std::string& quantity, TimeWindow window,
+                                 const std::string& quantity, const Moved& moved, TimeWindow window,
                                  const std::vector<ToneRequest>& modes);
 };
 

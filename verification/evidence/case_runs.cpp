@@ -21,9 +21,8 @@ RunResult judged_part(const RunResult& result, const std::string& quantity) {
   part.diagnostics = result.diagnostics;
   part.cost = result.cost;
   for (const TimeSeries& one : result.series)
-    if (one.name == quantity || one.name == quantity + coarser ||
-        one.name == quantity + lower_edge || one.name == quantity + upper_edge)
-      part.series.push_back(one);
+    for (const char* suffix : {"", coarser, finer, nonlinear, lower_edge, upper_edge})
+      if (one.name == quantity + suffix) part.series.push_back(one);
   return part;
 }
 

@@ -14,6 +14,7 @@ namespace slosh {
 // The predictions with one input of the case at either bound of its declared interval.
 struct InputBounds {
   RunResult lower, upper;
+  std::string own = {};  // the run that predicts the case as it is, by the same method
 };
 
 struct CaseRuns {
@@ -22,15 +23,15 @@ struct CaseRuns {
   // By run: the costs of its repeats on a core of their own, in the order in which they were made;
   // empty where the campaign requests no timings.
   std::map<std::string, std::vector<RunCost>> timings = {};
-  std::map<Input, InputBounds> input_bounds = {};  // input_uncertainty.hpp
+  std::map<Input, InputBounds> input_bounds = {};   // input_uncertainty.hpp
+  std::map<Input, std::string> not_predicted = {};  // why theory does not predict an input's bounds
 };
 
 // Whether the run has a result, and the result has the series.
 bool has_series(const CaseRuns& runs, const std::string& run, const std::string& quantity);
 
 // The part of a result that rows on the quantity are judged by: its name, its cost, its
-// diagnostics, the quantity's series, the edges of its band and the potential flow with fewer
-// nodes.
+// diagnostics, the quantity's series, the edges of its band and what a theory leaves beside it.
 RunResult judged_part(const RunResult& result, const std::string& quantity);
 
 // The series of the first record that has the quantity. Returns nullptr where none is supplied.

@@ -32,7 +32,7 @@ std::vector<HistoryAtStep> histories(const CaseDefinition& definition, const Cas
   for (const std::string& name : path.runs) {
     if (!runs.results.contains(name)) continue;
     const double step = step_of(path.number, run_named(definition, name), runs);
-    if (step < own_step) continue;
+    if (name != own && step < least_refinement_ratio * own_step) continue;
     try {
       const TimeSeries whole = cut_to_window(runs.results.at(name).at(series.name),
                                              {series.time.front(), series.time.back()});
@@ -44,6 +44,11 @@ std::vector<HistoryAtStep> histories(const CaseDefinition& definition, const Cas
   }
   std::sort(found.begin(), found.end(),
             [](const HistoryAtStep& a, const HistoryAtStep& b) { return a.step < b.step; });
+  const auto repeated =
+      std::unique(found.begin(), found.end(), [](const HistoryAtStep& a, const HistoryAtStep& b) {
+        return b.step < least_refinement_ratio * a.step;
+      });
+  found.erase(repeated, found.end());
   return found;
 }
 
@@ -87,8 +92,10 @@ std::vector<double> numerical_half_widths(const CaseDefinition& definition, cons
   for (const RefinementDefinition& path : definition.refinements) {
     if (std::find(path.runs.begin(), path.runs.end(), run) == path.runs.end()) continue;
     const std::vector<HistoryAtStep> found = histories(definition, runs, path, run, series);
-    // The path is of no use without the run's own history.
-    if (found.size() < 2 || found[0].step > step_of(path.number, run_named(definition, run), runs))
+    // The path is of no use without the run's own history, and where the next step changes nothing.
+    if (found.size() < 2 ||
+        found[0].step > step_of(path.number, run_named(definition, run), runs) ||
+        found[0].value == found[1].value)
       continue;
     add_in_quadrature(widths, minus(found[1].value, found[0].value), factor_of(found));
   }

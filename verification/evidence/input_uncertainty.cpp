@@ -36,30 +36,70 @@ bool is_open(const RunStatus& status) {
   return status.state == RunState::failed || status.state == RunState::missing;
 }
 
+// Throws ComparisonError where the input's bounds are not predicted.
+const InputBounds& bounds_of(const CaseDefinition& definition, const CaseRuns& runs,
+                             const InputUncertainty& one) {
+  for (const double change : {-one.half_width, one.half_width})
+    if (const auto why = impossible(with_input(definition, one.input, change)))
+      throw ComparisonError("a bound of its interval is impossible: " + *why);
+  if (const auto bounds = runs.input_bounds.find(one.input); bounds != runs.input_bounds.end())
+    return bounds->second;
+  const auto why = runs.not_predicted.find(one.input);
+  throw ComparisonError(
+      why != runs.not_predicted.end()
+          ? why->second
+          : "no theory of the liquid alone predicts the case at both bounds, and no coarse_run was "
+            "computed at both");
+}
+
+// The largest change of the metric from its own value, between either bound and the case as it is.
+double largest_change(const CaseDefinition& definition, const CaseRuns& runs,
+                      const InputUncertainty& one, const GateRow& row,
+                      const MeasureWithSeries& measure_with) {
+  if (is_of_repeats(row.metric))
+    throw ComparisonError(
+        "a distribution has no prediction at both bounds; an ensemble with vary_inputs = true "
+        "would count it");
+  const InputBounds& bounds = bounds_of(definition, runs, one);
+  const auto own = runs.results.find(bounds.own);
+  if (own == runs.results.end()) throw ComparisonError("there is no result of " + bounds.own);
+  const auto value = [&](const RunResult& predicted) {
+    return measure_with(row, row.candidate, predicted.at(row.quantity)).value;
+  };
+  constexpr double turn = 360;
+  double largest = 0;
+  for (const RunResult* bound : {&bounds.lower, &bounds.upper}) {
+    double change = value(*bound) - value(own->second);
+    if (is_angle(row.metric)) change = std::remainder(change, turn);
+    if (!std::isfinite(change)) throw ComparisonError("the prediction has no such metric");
+    largest = std::max(largest, std::abs(change));
+  }
+  return largest;
+}
+
 }  // namespace
 
-std::map<Input, InputBounds> predict_input_bounds(const CaseDefinition& definition,
-                                                  const CaseRuns& runs) {
-  std::map<Input, InputBounds> bounds;
+void predict_input_bounds(const CaseDefinition& definition, CaseRuns& runs) {
   const bool is_needed =
       std::any_of(definition.gate.begin(), definition.gate.end(),
                   [&](const GateRow& row) { return rests_on_experiment(definition, row); });
   const RunDefinition* theory = theory_in_range(definition, runs);
-  if (!is_needed || !theory) return bounds;
+  if (!is_needed || !theory) return;
   for (const InputUncertainty& one : definition.inputs) {
     try {
-      bounds[one.input] = {predicted(definition, *theory, one.input, -one.half_width),
-                           predicted(definition, *theory, one.input, one.half_width)};
-    } catch (const std::exception&) {
-      continue;  // the tank is impossible at that bound; the row then says that no theory predicts
-                 // it
+      runs.input_bounds[one.input] = {predicted(definition, *theory, one.input, -one.half_width),
+                                      predicted(definition, *theory, one.input, one.half_width),
+                                      theory->name};
+    } catch (const std::exception& error) {
+      runs.input_bounds.erase(one.input);
+      runs.not_predicted[one.input] = error.what();
     }
   }
-  return bounds;
 }
 
 void collect_input_bounds(CaseDefinition& definition, CaseRuns& runs) {
   std::map<Input, std::map<bool, RunResult>> ends;  // by input; true: at the upper bound
+  std::map<Input, std::string> repeated;
   const std::vector<RunDefinition> all = std::move(definition.runs);
   definition.runs.clear();
   for (const RunDefinition& run : all) {
@@ -67,6 +107,7 @@ void collect_input_bounds(CaseDefinition& definition, CaseRuns& runs) {
       definition.runs.push_back(run);
       continue;
     }
+    repeated[run.at_input->input] = run.at_input->repeated_run;
     if (const auto result = runs.results.extract(run.name))
       ends[run.at_input->input][run.at_input->change > 0] = result.mapped();
     runs.status.erase(run.name);
@@ -74,7 +115,7 @@ void collect_input_bounds(CaseDefinition& definition, CaseRuns& runs) {
   }
   for (auto& [input, found] : ends)
     if (found.size() == 2 && !runs.input_bounds.contains(input))
-      runs.input_bounds[input] = {std::move(found[false]), std::move(found[true])};
+      runs.input_bounds[input] = {std::move(found[false]), std::move(found[true]), repeated[input]};
 }
 
 Contribution input_uncertainty(const CaseDefinition& definition, const CaseRuns& runs,
@@ -82,34 +123,24 @@ Contribution input_uncertainty(const CaseDefinition& definition, const CaseRuns&
   if (definition.inputs.empty())
     return Contribution::unknown(
         "the uncertainty of the experiment's inputs is unknown: the case declares no [[input]]");
-  if (is_of_repeats(row.metric))
-    return Contribution::unknown(
-        "the effect of the inputs on a distribution is unknown; an ensemble with vary_inputs = "
-        "true "
-        "would count it");
   double squares = 0;
-  std::vector<std::string> parts;
+  std::vector<std::string> counted, not_counted;
   for (const InputUncertainty& one : definition.inputs) {
-    const auto bounds = runs.input_bounds.find(one.input);
     try {
-      if (bounds == runs.input_bounds.end())
-        throw ComparisonError(
-            "no theory of the liquid alone predicts the case at both bounds, and no coarse_run was "
-            "computed at both");
-      const auto value = [&](const RunResult& at_bound) {
-        return measure_with(row, row.candidate, at_bound.at(row.quantity)).value;
-      };
-      const double half = (value(bounds->second.upper) - value(bounds->second.lower)) / 2;
-      if (!std::isfinite(half)) throw ComparisonError("the prediction has no such metric");
-      squares += half * half;
-      parts.push_back(
-          fmt::format("{} {}", input_name(one.input), in_unit(std::abs(half), row.unit)));
+      const double change = largest_change(definition, runs, one, row, measure_with);
+      squares += change * change;
+      counted.push_back(fmt::format("{} {}", input_name(one.input), in_unit(change, row.unit)));
     } catch (const std::runtime_error& error) {  // ComparisonError and ResultError
-      return Contribution::unknown(
+      not_counted.push_back(
           fmt::format("the sensitivity to {} is unknown: {}", input_name(one.input), error.what()));
     }
   }
-  return {std::sqrt(squares), fmt::format("{}", fmt::join(parts, ", "))};
+  const std::string missing = fmt::format("{}", fmt::join(not_counted, "; "));
+  Contribution found = counted.empty() ? Contribution::unknown(missing)
+                                       : Contribution(std::sqrt(squares),
+                                                      fmt::format("{}", fmt::join(counted, ", ")));
+  found.not_counted = missing;
+  return found;
 }
 
 }  // namespace slosh

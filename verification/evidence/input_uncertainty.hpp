@@ -1,13 +1,16 @@
 // The input uncertainty of a gate row that compares with an experiment (ASME V&V 20-2009, section
-// 4), by central differences of the metric's prediction,
-//   u_input^2 = sum over inputs of ((m(x + u) - m(x - u)) / 2)^2
+// 4), by the largest change of the metric's prediction from its own value,
+//   u_input^2 = sum over inputs of max(|m(x + u) - m(x)|, |m(x - u) - m(x)|)^2
 // u is the half width that the case declares for the input x, and m is the row's metric, measured
-// with a prediction for the tank with that input in the place of the candidate. The prediction
-// comes from the case's first theory of the liquid alone that is inside its range, otherwise from
-// the input's coarse run, repeated at both bounds. The difference of two coarse runs includes their
-// scatter: where the flow is chaotic it is too large rather than too small. Without either, the
-// row's u_input is unknown. Against theory or another method both sides have the same inputs, and
-// u_input is zero.
+// with a prediction for the tank with that input in the place of the candidate. A central
+// difference would be zero where m is a magnitude, such as normalised_rms, with its least value at
+// x. The prediction comes from the case's first theory of the liquid alone that is inside its
+// range, otherwise from the input's coarse run, repeated at both bounds. The difference of two
+// coarse runs includes their scatter: where the flow is chaotic it is too large rather than too
+// small. An input that cannot be propagated (a bound at which no tank is possible, no prediction
+// at both bounds) is named in `not_counted`; the other inputs count. Without any, the row's u_input
+// is unknown. Against theory or another method both sides have the same inputs, and u_input is
+// zero.
 #pragma once
 
 #include "verification/case/case_definition.hpp"
@@ -18,10 +21,10 @@
 
 namespace slosh {
 
-// The predictions of theory at both bounds of each declared input's interval. Empty where the case
-// declares no inputs, has no row against an experiment, or has no theory inside its range.
-std::map<Input, InputBounds> predict_input_bounds(const CaseDefinition& definition,
-                                                  const CaseRuns& runs);
+// Adds the predictions of theory at both bounds of each declared input's interval, or why theory
+// fails there. Adds nothing where the case declares no inputs, has no row against an experiment, or
+// has no theory inside its range.
+void predict_input_bounds(const CaseDefinition& definition, CaseRuns& runs);
 
 // Turns the repeats of coarse runs into input bounds, where theory has left none, and removes these
 // runs from the case and its results: they are neither shown nor compared. A repeat that failed or

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "verification/case/solver_kinds.hpp"
+#include "verification/series/windowed_series.hpp"
 
 namespace slosh {
 namespace {
@@ -47,9 +48,11 @@ struct MeasuredRun {
   ValueAtStep value;
 };
 
-// The row's metric with each run of the path in the role, coarse to fine. Of runs with the same
-// step, as a default and a number that is written out can be, the row's own run counts, or else
-// the one that is declared first.
+const std::string& run_in(const GateRow& row, Role role) {
+  return role == Role::candidate ? row.candidate : row.reference;
+}
+
+// The row's metric with each run of the path in the role, coarse to fine.
 std::vector<MeasuredRun> measure_path(const RefinementDefinition& path,
                                       const CaseDefinition& definition, const CaseRuns& runs,
                                       const GateRow& row, Role role, const MeasureRow& measure) {
@@ -65,17 +68,44 @@ std::vector<MeasuredRun> measure_path(const RefinementDefinition& path,
       continue;  // ComparisonError or ResultError: this run has no such metric
     }
   }
-  const std::string& own = role == Role::candidate ? row.candidate : row.reference;
-  std::stable_sort(measured.begin(), measured.end(),
-                   [&](const MeasuredRun& a, const MeasuredRun& b) {
-                     return a.value.step != b.value.step ? a.value.step > b.value.step
-                                                         : a.name == own && b.name != own;
-                   });
-  const auto repeated = std::unique(
+  std::stable_sort(
       measured.begin(), measured.end(),
-      [](const MeasuredRun& a, const MeasuredRun& b) { return a.value.step == b.value.step; });
-  measured.erase(repeated, measured.end());
+      [](const MeasuredRun& a, const MeasuredRun& b) { return a.value.step > b.value.step; });
   return measured;
+}
+
+// Of runs with nearly the same step, as a default and a number that is written out can have, the
+// row's own run counts, or else the one that is declared first.
+std::vector<MeasuredRun> one_a_step(const std::vector<MeasuredRun>& measured,
+                                    const std::string& own) {
+  std::vector<MeasuredRun> kept;
+  for (const MeasuredRun& one : measured) {
+    const bool repeats =
+        !kept.empty() && kept.back().value.step < least_refinement_ratio * one.value.step;
+    if (!repeats)
+      kept.push_back(one);
+    else if (one.name == own)
+      kept.back() = one;
+  }
+  return kept;
+}
+
+// Why the values tell nothing of the discretisation; "" where they do.
+std::string why_unknown(const std::vector<MeasuredRun>& measured,
+                        const std::vector<MeasuredRun>& kept, const CaseDefinition& definition,
+                        const CaseRuns& runs, const std::string& quantity) {
+  if (kept.size() < 2)
+    return fmt::format("the steps of {} and {} differ by a factor below {}", measured.front().name,
+                       measured.back().name, least_refinement_ratio);
+  const TimeWindow window{definition.window_begin, definition.window_end};
+  for (std::size_t i = 1; i < kept.size(); ++i) {
+    const std::string &coarse = kept[i - 1].name, &fine = kept[i].name;
+    if (has_series(runs, coarse, quantity) && has_series(runs, fine, quantity) &&
+        are_same(runs.results.at(coarse).at(quantity), runs.results.at(fine).at(quantity), window))
+      return fmt::format("{} and {} have the same {}: the refinement changed nothing", coarse, fine,
+                         quantity);
+  }
+  return "";
 }
 
 // The half width of the difference between two runs of one path, both fitted together. Returns
@@ -134,17 +164,38 @@ double step_of(RefinedNumber number, const RunDefinition& run, const CaseRuns& r
   throw std::logic_error("a refined number without a step");
 }
 
-std::vector<RefinedMetric> refined_metrics(const CaseDefinition& definition, const CaseRuns& runs,
-                                           const GateRow& row, Role role,
-                                           const MeasureRow& measure) {
-  const std::string& own = role == Role::candidate ? row.candidate : row.reference;
-  std::vector<RefinedMetric> metrics;
+bool are_same(const TimeSeries& one, const TimeSeries& other, TimeWindow window) {
+  constexpr double rounding = 1e-12;  // of the largest magnitude
+  try {
+    const TimeSeries a = cut_to_window(one, window), b = cut_to_window(other, window);
+    if (a.time != b.time) return false;
+    double largest = 0, apart = 0;
+    for (std::size_t i = 0; i < a.value.size(); ++i) {
+      largest = std::max(largest, std::abs(a.value[i]));
+      apart = std::max(apart, std::abs(a.value[i] - b.value[i]));
+    }
+    return apart <= rounding * largest;
+  } catch (const ComparisonError&) {
+    return false;  // one of them does not cover the window
+  }
+}
+
+Refinements refined_metrics(const CaseDefinition& definition, const CaseRuns& runs,
+                            const GateRow& row, Role role, const MeasureRow& measure) {
+  const std::string& own = run_in(row, role);
+  Refinements found;
   for (const RefinementDefinition& path : definition.refinements) {
     if (std::find(path.runs.begin(), path.runs.end(), own) == path.runs.end()) continue;
-    std::vector<MeasuredRun> measured = measure_path(path, definition, runs, row, role, measure);
+    const std::vector<MeasuredRun> all = measure_path(path, definition, runs, row, role, measure);
+    std::vector<MeasuredRun> measured = one_a_step(all, own);
     const auto itself = std::find_if(measured.begin(), measured.end(),
                                      [&](const MeasuredRun& one) { return one.name == own; });
-    if (measured.size() < 2 || itself == measured.end()) continue;
+    if (all.size() < 2 || itself == measured.end()) continue;
+    if (const std::string why = why_unknown(all, measured, definition, runs, row.quantity);
+        !why.empty()) {
+      found.unknown.push_back(fmt::format("the refinement {} tells nothing: {}", path.name, why));
+      continue;
+    }
     take_noise_of_differences(measured, row, measure);
     RefinedMetric metric{path.name, {}, {}, {}};
     for (const auto& [name, value] : measured) {
@@ -152,9 +203,9 @@ std::vector<RefinedMetric> refined_metrics(const CaseDefinition& definition, con
       metric.runs.push_back(name);
     }
     metric.found = judge(metric.values, itself->value.step);
-    metrics.push_back(std::move(metric));
+    found.paths.push_back(std::move(metric));
   }
-  return metrics;
+  return found;
 }
 
 double numerical_uncertainty(const std::vector<RefinedMetric>& paths) {

@@ -35,14 +35,23 @@ struct RefinedMetric {
   DiscretisationUncertainty found;  // about the value of the run that the row names
 };
 
+struct Refinements {
+  std::vector<RefinedMetric> paths;
+  std::vector<std::string> unknown;  // why another path of the run tells nothing
+};
+
 // The metric on each path of the case that holds the row's candidate (or reference), for all runs
 // that can be measured. A path is left out where that run or all others cannot be measured. Of runs
-// with the same step one counts: the row's own, or else the first.
-std::vector<RefinedMetric> refined_metrics(const CaseDefinition& definition, const CaseRuns& runs,
-                                           const GateRow& row, Role role,
-                                           const MeasureRow& measure);
+// whose steps differ by less than least_refinement_ratio one counts: the row's own, or else the
+// first. A path tells nothing where a single step is left, and where two of its steps have the same
+// series in the window, to rounding: one of them is not what it claims to be.
+Refinements refined_metrics(const CaseDefinition& definition, const CaseRuns& runs,
+                            const GateRow& row, Role role, const MeasureRow& measure);
 
 // The root of the sum of squares of the paths' uncertainties.
 double numerical_uncertainty(const std::vector<RefinedMetric>& paths);
+
+// Whether two series have the same values in the window, to rounding.
+bool are_same(const TimeSeries& one, const TimeSeries& other, TimeWindow window);
 
 }  // namespace slosh

@@ -1,26 +1,19 @@
 #include "verification/evidence/repeat_spread.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
+#include "verification/gate/measured_value.hpp"
 #include "verification/series/sample_moments.hpp"
 #include "verification/series/student_t.hpp"
 
 namespace slosh {
-namespace {
-
-double prediction_half_width(const std::vector<double>& values) {
-  return half_width_of_95_percent(values) * std::sqrt(1 + 1 / static_cast<double>(values.size()));
-}
-
-}  // namespace
-
 double half_width_of_95_percent(const std::vector<double>& values) {
   if (values.size() < 2) throw std::invalid_argument("a single value has no scatter");
   const double n = static_cast<double>(values.size());
-  const double t = t95(n - 1);
-  return t * rms(without_mean(values)) * std::sqrt(n / (n - 1));
+  return t95(n - 1) * rms(without_mean(values)) * std::sqrt(n / (n - 1));
 }
 
 bool repeat_one_another(const SphRun& one, const SphRun& other) {
@@ -34,10 +27,11 @@ bool repeat_one_another(const SphRun& one, const SphRun& other) {
 }
 
 double repeat_spread(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
-                     const MeasureRow& measure) {
+                     const MeasureRow& measure, const FindComparison& comparison) {
   const auto* candidate = std::get_if<SphRun>(&run_named(definition, row.candidate).solver);
   if (!candidate || !run_named(definition, row.candidate).ensemble.empty()) return 0;
   std::vector<double> values;
+  std::vector<std::string> repeats;
   for (const RunDefinition& run : definition.runs) {
     const auto* sph = std::get_if<SphRun>(&run.solver);
     if (!sph || run.varies_inputs || !runs.results.contains(run.name) ||
@@ -47,12 +41,18 @@ double repeat_spread(const CaseDefinition& definition, const CaseRuns& runs, con
     repeated.candidate = run.name;
     try {
       const double value = measure(repeated).value;
-      if (std::isfinite(value)) values.push_back(value);
+      if (!std::isfinite(value)) continue;
+      values.push_back(value);
+      repeats.push_back(run.name);
     } catch (const std::runtime_error&) {
       continue;  // ComparisonError or ResultError: this run has no such metric
     }
   }
-  return values.size() < 3 ? 0 : prediction_half_width(values);
+  if (values.size() < 3) return 0;
+  const double of_series =
+      t95(static_cast<double>(values.size()) - 1) * spread_of_series(row, repeats, comparison);
+  return std::max(half_width_of_95_percent(values), of_series) *
+         std::sqrt(1 + 1 / static_cast<double>(values.size()));
 }
 
 }  // namespace slosh

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "verification/case/metric_table.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/record_uncertainty.hpp"
 #include "verification/evidence/repeat_spread.hpp"
@@ -26,22 +27,25 @@ Contribution as_when_measured(const char* how) {
 Contribution numerical(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
                        Role role, const MeasureRow& measure) {
   if (row.kind == RowKind::regression) return as_when_measured("with the same step");
-  const std::vector<RefinedMetric> paths = refined_metrics(definition, runs, row, role, measure);
-  if (!paths.empty()) {
+  const Refinements found = refined_metrics(definition, runs, row, role, measure);
+  const std::string unknown = fmt::format("{}", fmt::join(found.unknown, "; "));
+  if (!found.paths.empty()) {
     std::vector<std::string> names;
-    for (const RefinedMetric& path : paths)
+    for (const RefinedMetric& path : found.paths)
       names.push_back(path.path + (path.values.size() == 2 ? " (two values only)"
                                    : takes_other_order(path.found)
                                        ? " of order " + observed_order_text(path.found)
                                        : ""));
-    return {numerical_uncertainty(paths),
-            fmt::format("refinement of the {}", fmt::join(names, ", "))};
+    Contribution counted{numerical_uncertainty(found.paths),
+                         fmt::format("refinement of the {}", fmt::join(names, ", "))};
+    counted.not_counted = unknown;
+    return counted;
   }
-  return Contribution::unknown(
-      fmt::format("the numerical uncertainty of the {} {} is unknown; a [[refinement]] of it with "
-                  "another step would provide it",
-                  role == Role::candidate ? "candidate" : "reference",
-                  role == Role::candidate ? row.candidate : row.reference));
+  return Contribution::unknown(fmt::format(
+      "the numerical uncertainty of the {} {} is unknown; {}",
+      role == Role::candidate ? "candidate" : "reference",
+      role == Role::candidate ? row.candidate : row.reference,
+      unknown.empty() ? "a [[refinement]] of it with another step would provide it" : unknown));
 }
 
 Contribution of_record(const CaseRuns& runs, const GateRow& row, const RecordRun& record,
@@ -100,6 +104,43 @@ Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, do
           "the finite number of repeats"};
 }
 
+// What a theory leaves beside its series, and the multiple of the change that counts.
+struct LeftBeside {
+  const char *suffix, *text;
+  double factor;
+};
+constexpr LeftBeside left_beside_theory[] = {
+    {coarser, "the same potential flow with fewer nodes", 1},
+    {finer, "more modes", 2 * reliable_safety_factor},  // error of first order, at twice the step
+    {nonlinear, "the third order", 1}};
+
+Contribution of_theory(const CaseRuns& runs, const RunDefinition& reference, const GateRow& row,
+                       const RowMeasures& measures) {
+  if (row.kind == RowKind::regression) return as_when_measured("against the same theory");
+  const double own = measures.measure(row).value;
+  double squares = 0;
+  std::vector<std::string> counted;
+  for (const auto& [suffix, text, factor] : left_beside_theory) {
+    const auto& leaves = solver_kind(reference).leaves;
+    if (std::find(leaves.begin(), leaves.end(), suffix) == leaves.end()) continue;
+    if (!has_series(runs, reference.name, row.quantity + suffix))
+      return Contribution::unknown(
+          fmt::format("{} of {} that {} leaves is unknown: the series {}{} "
+                      "is missing",
+                      text, row.quantity, reference.name, row.quantity, suffix));
+    double largest = 0;
+    for (const bool other_way : {false, true}) {
+      double change = measures.measure_against_moved(row, suffix, other_way).value - own;
+      if (is_angle(row.metric)) change = std::remainder(change, 360);
+      largest = std::isnan(change) ? change : std::max(largest, std::abs(change));
+      if (std::isnan(largest)) break;
+    }
+    squares += factor * factor * largest * largest;
+    counted.push_back(fmt::format("{} {}", text, in_unit(factor * largest, row.unit)));
+  }
+  return {std::sqrt(squares), fmt::format("{}", fmt::join(counted, ", "))};
+}
+
 Contribution of_reference(const CaseDefinition& definition, const CaseRuns& runs,
                           const GateRow& row, const RowMeasures& measures) {
   if (is_of_repeats(row.metric))
@@ -114,10 +155,7 @@ Contribution of_reference(const CaseDefinition& definition, const CaseRuns& runs
   const RunDefinition& reference = run_named(definition, row.reference);
   if (const auto* record = std::get_if<RecordRun>(&reference.solver))
     return of_record(runs, row, *record, measures);
-  if (solver_kind(reference).leaves_coarser)
-    return {std::abs(measures.measure_against_coarser(row).value - measures.measure(row).value),
-            "the same potential flow with fewer nodes"};
-  if (is_theory(reference)) return {0, "exact solution, inside its range"};
+  if (is_theory(reference)) return of_theory(runs, reference, row, measures);
   return numerical(definition, runs, row, Role::reference, measures.measure);
 }
 
@@ -170,7 +208,7 @@ UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const
                                          const GateRow& row, const RowMeasures& measures) {
   UncertaintyContributions found;
   if (is_cost(row.metric)) return found;
-  found.time_series = repeat_spread(definition, runs, row, measures.measure);
+  found.time_series = repeat_spread(definition, runs, row, measures.measure, measures.comparison);
   found.reference = of_reference(definition, runs, row, measures);
   if (is_p_value(row.metric))
     found.discretisation = {0, of_the_ensemble};

@@ -1,8 +1,12 @@
 // The uncertainties of a gate row's metric beside its own interval, after ASME V&V 20.
 //   reference       A record has the uncertainty that its publisher states, or an unknown one. A
 //                   solver such as interFoam has its numerical uncertainty, which is unknown for a
-//                   run on no refinement path. Potential flow has the change of the metric against
-//                   its own coarser run. Closed-form theory inside its range has none.
+//                   run on no refinement path. A theory has the changes of the metric as the theory
+//                   moves by what it leaves beside its series, both ways: for potential flow to the
+//                   flow with fewer nodes; for linear theory to that with more modes, times 2.5 for
+//                   a rest that falls with the first power of their number (a factor of 2, and 1.25
+//                   of Celik et al. 2008), and to the estimate of the third order
+//                   (beyond_linear.hpp), which the viscous wave has too.
 //   discretisation  Against an experiment this is the candidate's numerical uncertainty, which is
 //                   unknown for a run on no refinement path. Against theory or another method it is
 //                   zero: the candidate's discretisation error is what the row measures.
@@ -40,8 +44,10 @@ bool rests_on_input_bounds(const CaseDefinition& definition, const GateRow& row)
 struct RowMeasures {
   FindComparison comparison = {};  // of the row's candidate and reference
   MeasureRow measure;
-  // Measures against the coarser run that potential flow leaves beside its own (run_case.hpp).
-  MeasureRow measure_against_coarser = {};
+  // Measures against the reference as it moves to the series with this suffix that it leaves beside
+  // its own (SolverKind::leaves), and as far the other way.
+  std::function<Estimate(const GateRow&, const std::string& suffix, bool other_way)>
+      measure_against_moved = {};
   // input_uncertainty() of a row that rests on an experiment.
   std::function<Contribution(const GateRow&)> input = {};
   // Measures each member of the candidate against each of the reference (measured_value.hpp).

@@ -235,6 +235,33 @@ std::string unseen_by_samples(const GateRow& row, const GateEvidence& evidence) 
   return worst ? unseen_text(*worst->unseen, worst->unit) : "";
 }
 
+double spread_of_series(const GateRow& row, const std::vector<std::string>& members,
+                        const FindComparison& comparison) {
+  const bool is_of_rms = row.metric == Metric::normalised_rms || row.metric == Metric::aligned_rms;
+  const bool is_of_largest = row.metric == Metric::maximum_residual ||
+                             row.metric == Metric::band_excursion ||
+                             row.metric == Metric::largest_magnitude;
+  if (!is_of_rms && !is_of_largest) return 0;
+  double squares = 0;
+  for (std::size_t i = 0; i < members.size(); ++i)
+    for (std::size_t j = i + 1; j < members.size(); ++j) {
+      const Comparison& pair = comparison(members[i], members[j], row.quantity);
+      const double apart = is_of_largest ? pair.maximum_residual
+                           : row.metric == Metric::aligned_rms
+                               ? pair.alignment.normalised_rms * pair.reference_wave.deviation
+                               : pair.normalised_rms.value * pair.reference_wave.deviation;
+      squares += apart * apart;
+    }
+  if (squares == 0) return 0;
+  const double n = static_cast<double>(members.size());
+  const double deviation = std::sqrt(squares / (n * (n - 1)));
+  // Any run of the row has the reference's deviation in its comparison.
+  return is_of_largest
+             ? deviation
+             : deviation /
+                   comparison(row.candidate, row.reference, row.quantity).reference_wave.deviation;
+}
+
 EnsembleOfRun ensemble_of(const std::string& run, const GateEvidence& evidence) {
   return evidence.ensemble ? evidence.ensemble(run) : EnsembleOfRun{{run}};
 }
@@ -282,7 +309,9 @@ Estimate measured(const GateRow& row, const GateEvidence& evidence) {
   return ensemble_mean(measured_pairs(row, evidence),
                        is_one_of_many(candidate) || is_one_of_many(reference)
                            ? SingleSide::one_of_many
-                           : SingleSide::exact);
+                           : SingleSide::exact,
+                       {spread_of_series(row, candidate.members, evidence.comparison),
+                        spread_of_series(row, reference.members, evidence.comparison)});
 }
 
 bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence) {

@@ -35,6 +35,13 @@ bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence);
 // (inner index). Throws what measured() throws.
 std::vector<std::vector<Estimate>> measured_pairs(const GateRow& row, const GateEvidence& evidence);
 
+// The standard deviation of the members' series about their mean, in the unit of the row's metric,
+// where that is a magnitude (ensemble_mean.hpp): of their differences' rms over the reference's
+// deviation, or of their largest differences. Zero for any other metric and for a single member.
+// Throws what `comparison` throws.
+double spread_of_series(const GateRow& row, const std::vector<std::string>& members,
+                        const FindComparison& comparison);
+
 // The run alone where the evidence has no ensembles.
 EnsembleOfRun ensemble_of(const std::string& run, const GateEvidence& evidence);
 

@@ -59,8 +59,14 @@ double validation_uncertainty(const UncertaintyContributions& contributions) {
 
 std::string missing_for_validation(const UncertaintyContributions& contributions) {
   std::string missing;
+  const auto add = [&](const std::string& text) {
+    if (!text.empty()) missing += (missing.empty() ? "" : "; ") + text;
+  };
   for (const Contribution* one : {&contributions.discretisation, &contributions.reference})
-    if (!one->half_width) missing += (missing.empty() ? "" : "; ") + one->basis;
+    if (!one->half_width) add(one->basis);
+  for (const Contribution* one : {&contributions.discretisation, &contributions.time_series,
+                                  &contributions.input, &contributions.reference})
+    add(one->not_counted);
   return missing;
 }
 

@@ -25,6 +25,9 @@ struct Contribution {
   std::optional<double> half_width = 0.0;
   // What the half width rests on. Where it is unknown: what is missing, and what would provide it.
   std::string basis = {};
+  // The declared parts that the half width does not count, each with the reason; "" where it counts
+  // all.
+  std::string not_counted = {};
 
   Contribution() = default;
   Contribution(double known, std::string rests_on = {})
@@ -48,10 +51,10 @@ struct UncertaintyContributions {
 // negative or NaN.
 double validation_uncertainty(const UncertaintyContributions& contributions);
 
-// What is missing of the numerical uncertainty and of the reference's, joined by "; "; "" where
-// both are known. Anything missing keeps a validation row from passing. The uncertainty of the
-// inputs is exempt: the experiment's paper may not state it, and no run of this project could
-// provide it.
+// What is missing of the numerical uncertainty and of the reference's, and the declared parts that
+// any contribution does not count, joined by "; "; "" where nothing is missing. Anything missing
+// keeps a validation row from passing. Inputs that are not declared are exempt: the experiment's
+// paper may not state them, and no run of this project could provide them.
 std::string missing_for_validation(const UncertaintyContributions& contributions);
 
 // "discretisation", "time series", "input" or "reference": the largest.

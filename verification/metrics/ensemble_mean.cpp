@@ -15,11 +15,12 @@ struct MeanVariance {
   double variance = 0, freedom = 0;
 };
 
-MeanVariance variance_of_mean(const std::vector<double>& values) {
+MeanVariance variance_of_mean(const std::vector<double>& values, double least_deviation) {
   if (values.size() < 2) return {};
   const double n = static_cast<double>(values.size());
-  const double deviation = rms(without_mean(values));
-  return {deviation * deviation / (n - 1), n - 1};
+  const double deviation = rms(without_mean(values)), least = least_deviation * least_deviation / n;
+  const double variance = deviation * deviation / (n - 1);
+  return {std::isnan(least) || least > variance ? least : variance, n - 1};
 }
 
 // The variance of the difference between this mean and one more run: s^2 / n + s^2.
@@ -43,7 +44,8 @@ double half_width_of(double variance, double freedom) {
 
 }  // namespace
 
-Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSide single) {
+Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSide single,
+                       const LeastDeviations& least) {
   if (pairs.empty() || pairs.front().empty() || pairs.size() * pairs.front().size() < 2)
     throw std::invalid_argument("an ensemble's mean needs two runs or more");
   std::vector<double> of_candidates(pairs.size()), of_references(pairs.front().size()), own;
@@ -53,7 +55,8 @@ Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSi
       of_references[j] += pairs[i][j].value / static_cast<double>(pairs.size());
       own.push_back(pairs[i][j].half_width);
     }
-  const MeanVariance a = variance_of_mean(of_candidates), b = variance_of_mean(of_references);
+  const MeanVariance a = variance_of_mean(of_candidates, least.candidates),
+                     b = variance_of_mean(of_references, least.references);
   const double value = mean(of_candidates);
   if (a.freedom > 0 && b.freedom > 0)
     return {value, half_width_of(a.variance + b.variance, welch_freedom(a, b))};

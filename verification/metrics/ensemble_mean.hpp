@@ -6,7 +6,10 @@
 //   nu = u^4 / ((s_a^2 / n_c)^2 / (n_c - 1) + (s_b^2 / n_r)^2 / (n_r - 1))
 // with s the standard deviations (Welch 1947, Biometrika 34:28; Satterthwaite 1946, Biometrics
 // Bull. 2:110). Valid where the metric is a sum of one term per side, as the logarithm of a ratio
-// is and, nearly, a small error.
+// is and, nearly, a small error. A magnitude is no such sum: runs that are 15 % too high and 15 %
+// too low have the same one. Its spread is taken from the series, as |m_i - m_j| is at most the
+// magnitude of c_i - c_j:
+//   s^2 >= sum over i < j of |c_i - c_j|^2 / (n (n - 1))
 #pragma once
 
 #include <vector>
@@ -22,10 +25,16 @@ namespace slosh {
 // the other side, of another method, may scatter less.
 enum class SingleSide { exact, one_of_many };
 
+// The least standard deviation of either side, where the metric is a magnitude.
+struct LeastDeviations {
+  double candidates = 0, references = 0;
+};
+
 // pairs[i][j] is the metric of candidate i and reference j with the interval of its own time
 // series; all rows have the same length, and at least one side has two or more runs. A NaN among
 // them gives NaN. Throws std::invalid_argument for a single pair.
-Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSide single);
+Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSide single,
+                       const LeastDeviations& least = {});
 
 // The mean of one number of each member with its 95 % interval, t_(0.975, n - 1) s / sqrt(n); half
 // width 0 for a single number. Throws std::invalid_argument for none.

@@ -28,12 +28,12 @@ std::vector<std::string> add_filtered_pressures(const CaseDefinition& definition
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges) {
     if (!gauge.filter_cutoff) continue;
     const std::string quantity = wall_pressure(gauge.name);
-    for (const std::string edge : {"", lower_edge, upper_edge}) {
-      const std::optional<TimeSeries> series = find_series(result, quantity + edge);
+    for (const std::string suffix : {"", lower_edge, upper_edge, coarser, finer, nonlinear}) {
+      const std::optional<TimeSeries> series = find_series(result, quantity + suffix);
       if (!series) continue;
       try {
         TimeSeries filtered = low_pass(*series, *gauge.filter_cutoff);
-        filtered.name = quantity + through_filter + edge;
+        filtered.name = quantity + through_filter + suffix;
         replace_series(result, std::move(filtered));
       } catch (const ComparisonError& error) {
         failures.push_back(error.what());

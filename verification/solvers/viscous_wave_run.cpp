@@ -1,8 +1,10 @@
 #include <cmath>
 
 #include "reference/viscous_standing_wave.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/solvers/reference_tank.hpp"
 #include "verification/solvers/solver_runs.hpp"
+#include "verification/solvers/theory/beyond_linear.hpp"
 
 namespace slosh {
 namespace {
@@ -10,6 +12,19 @@ namespace {
 reference::ViscousStandingWave wave_of(const CaseDefinition& definition) {
   const InitialWaveDefinition& wave = definition.initial_wave.value();
   return {tank_of(definition), definition.liquid.kinematic_viscosity, {wave.mode, wave.amplitude}};
+}
+
+void add_beyond_linear(const CaseDefinition& definition, const std::vector<double>& at_right,
+                       RunResult& result) {
+  std::vector<double> x;
+  for (const GaugeDefinition& gauge : definition.gauges) x.push_back(gauge.x);
+  const auto beyond = beyond_linear(definition, at_right, x);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    TimeSeries moved = result.series[i];
+    moved.name += nonlinear;
+    for (std::size_t n = 0; n < moved.value.size(); ++n) moved.value[n] += beyond[i][n];
+    if (std::isfinite(largest_magnitude(moved.value))) result.series.push_back(std::move(moved));
+  }
 }
 
 }  // namespace
@@ -34,6 +49,7 @@ RunResult run_solver(const ViscousWaveRun&, const RunRequest& request) {
   for (const GaugeDefinition& gauge : definition.gauges)
     result.series.push_back({"elevation@" + gauge.name, "m", times,
                              wave.elevation(gauge.x - definition.tank.length / 2, times)});
+  add_beyond_linear(definition, wave.elevation(definition.tank.length / 2, times), result);
   request.progress(definition.duration, 0);
   // It is nowhere and never higher than where and when it is let go.
   const double highest = std::abs(definition.initial_wave->amplitude);

@@ -10,18 +10,23 @@
 namespace slosh {
 namespace {
 
+bool leaves(const RunDefinition& run, std::string_view suffix) {
+  const auto& all = solver_kind(run).leaves;
+  return std::find(all.begin(), all.end(), suffix) != all.end();
+}
+
 std::string uncertainty_text(const CaseDefinition& definition, const RunDefinition& run,
                              const RunResult& result) {
-  if (solver_kind(run).leaves_coarser)
+  if (leaves(run, coarser))
     return fmt::format(
         "the series with {} at their end hold half the 95 % interval at each sample: the "
         "difference "
         "from the same flow with fewer nodes",
         half_width_suffix);
   return fmt::format(
-      "none inside its range, where it is an exact solution of the linear equations; the second "
-      "order, which they leave out, adds about k A / 2 = {:.2g} of the wave to a crest",
-      predicted_steepness(definition, result) / 2);
+      "the series with {} at their end hold an estimate of what linear theory leaves out, to the "
+      "third order; the second adds about k A / 2 = {:.2g} of the wave to a crest",
+      nonlinear, predicted_steepness(definition, result) / 2);
 }
 
 TheoryRemarks remarks_on(const CaseDefinition& definition, const RunDefinition& run,
@@ -34,8 +39,11 @@ TheoryRemarks remarks_on(const CaseDefinition& definition, const RunDefinition& 
 void add_series(const CaseDefinition& definition, const CaseRuns& runs, const RunDefinition& run,
                 RunResult& joint) {
   for (const TimeSeries& series : runs.results.at(run.name).series) {
-    if (series.name.ends_with(coarser)) continue;
-    const std::string name = series.name + "/" + run.name;
+    if (series.name.ends_with(coarser) || series.name.ends_with(finer)) continue;
+    const std::string name =
+        series.name.ends_with(nonlinear)
+            ? series.name.substr(0, series.name.rfind(nonlinear)) + "/" + run.name + nonlinear
+            : series.name + "/" + run.name;
     joint.series.push_back({name, series.unit, series.time, series.value});
     std::vector<double> widths = numerical_half_widths(definition, runs, run.name, series.name);
     if (!widths.empty())

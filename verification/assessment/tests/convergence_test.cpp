@@ -1,5 +1,6 @@
 #include "verification/assessment/convergence.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "verification/case_file/spacing_study.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/runs/run_key.hpp"
+#include "verification/tests/surge_results.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::convergence_test {
@@ -44,6 +46,42 @@ TEST(Convergence, LeavesTheIntervalOpenWhereNoiseMayLeaveNoOrder) {
   EXPECT_FALSE(order_half_width({{1, 3, 0}, {2, 2, 0}, {4, 0, 0}}).has_value() &&
                order_half_width({{1, 0, 0}, {2, 1, 0}, {4, 1.5, 0}}).has_value())
       << "differences that grow as the step falls have no order";
+}
+
+// "particles" at 10 mm and at the two coarser spacings, each too high by error(h).
+template <class Error>
+Convergence convergence_over(const std::vector<double>& spacings, Error error) {
+  CaseDefinition definition = surge_case();
+  definition.gate.clear();
+  CaseRuns runs = surge_runs();
+  definition.refinements = {{"spacing", RefinedNumber::particle_spacing, {"particles"}}};
+  runs.results["particles"] = result_of("particles", scaled(elevation_of({}), 1 + error(0.01)));
+  for (const double spacing : spacings) {
+    RunDefinition coarse = definition.runs.at(2);
+    coarse.name = fmt::format("particles_{}", definition.runs.size());
+    auto& sph = std::get<SphRun>(coarse.solver);
+    sph.particle_spacing = sph.surface_particle_spacing = spacing;
+    definition.runs.push_back(coarse);
+    definition.refinements[0].runs.push_back(coarse.name);
+    runs.results[coarse.name] =
+        result_of(coarse.name, scaled(elevation_of({}), 1 + error(spacing)));
+    runs.status[coarse.name] = {RunState::finished, ""};
+  }
+  return convergence_of(assess(definition, runs), {"particles", "theory", surge_quantity});
+}
+
+TEST(Convergence, SaysThatARefinementChangedNothing) {
+  const auto second_order = [](double h) { return 100 * h * h; };
+  EXPECT_FALSE(convergence_over({0.02, 0.04}, second_order).metrics.empty());
+  const auto says = [](const Convergence& found, const char* what) {
+    EXPECT_TRUE(found.metrics.empty());
+    ASSERT_FALSE(found.not_measured.empty());
+    EXPECT_NE(found.not_measured[0].find(what), std::string::npos) << found.not_measured[0];
+  };
+  says(convergence_over({0.02, 0.04}, [](double) { return 0.05; }),
+       "have the same elevation@right: the refinement changed nothing");
+  says(convergence_over({0.0100000000001, 0.02}, second_order),
+       "fewer than three spacings have it that differ by a factor of 1.1 or more");
 }
 
 class SpacingStudies : public ::testing::Test {

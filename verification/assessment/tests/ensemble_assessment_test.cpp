@@ -50,6 +50,30 @@ TEST(EnsembleAssessment, JudgesTheMeanByTheSpreadOfTheRepeats) {
   EXPECT_EQ(Repeated({0.10, 0.11, 0.12}, 0.05).assessed().gate.at(0).verdict, Verdict::violated);
 }
 
+// A magnitude does not tell a run that is too high from one that is too low: their series do, of an
+// ensemble as of repeats that are written out.
+TEST(EnsembleAssessment, CountsTheSpreadOfTheSeriesWhereTheMetricIsAMagnitude) {
+  for (const auto& [metric, unit, limit] : {std::tuple{Metric::normalised_rms, "1", 0.2},
+                                            {Metric::maximum_residual, "m", 0.0025},
+                                            {Metric::largest_magnitude, "m", 0.014}}) {
+    Repeated repeated({0.15, -0.15}, 0);
+    repeated.definition.gate = {surge_row("whole", metric, unit, limit)};
+    if (metric == Metric::largest_magnitude) repeated.definition.gate[0].reference.clear();
+    EXPECT_EQ(repeated.assessed().gate.at(0).verdict, Verdict::inconclusive) << metric_name(metric);
+    Repeated alike({0.0501, 0.05}, 0);
+    alike.definition.gate = repeated.definition.gate;
+    EXPECT_EQ(alike.assessed().gate.at(0).verdict, Verdict::pass) << metric_name(metric);
+  }
+  Repeated written({0.15, -0.15, 0.15, -0.15}, 0);
+  for (RunDefinition& run : written.definition.runs) run.ensemble.clear();
+  written.definition.gate = {surge_row("whole", Metric::normalised_rms, "1", 0.2)};
+  const GateOutcome outcome = written.assessed().gate.at(0);
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+  // t of three degrees of freedom, s = 0.15 sqrt(4 / 3), the interval of one more run of four.
+  EXPECT_NEAR(outcome.judgement->contributions.time_series.known(),
+              3.1824 * 0.15 * std::sqrt(4.0 / 3) * std::sqrt(1.25), 0.01);
+}
+
 TEST(EnsembleAssessment, IsNotComparedWithoutAMember) {
   Repeated repeated({0.01, 0.02, 0.03}, 0.05);
   repeated.runs.results.erase("particles_2");

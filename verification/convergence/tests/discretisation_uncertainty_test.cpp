@@ -173,7 +173,8 @@ TEST(DiscretisationUncertainty, RefusesWhatCannotBeRanked) {
   EXPECT_THROW(discretisation_uncertainty({}), ComparisonError);
   refuses(0, {0, 5});
   refuses(0, {-1, 5});
-  refuses(1, {1, 5});  // a step twice
+  refuses(1, {1, 5});     // a step twice
+  refuses(1, {1.09, 5});  // and nearly
   refuses(1, {1.5, std::nan("")});
   refuses(1, {std::nan(""), 5});
   refuses(2, {2, std::numeric_limits<double>::infinity()});

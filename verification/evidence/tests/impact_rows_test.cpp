@@ -64,7 +64,8 @@ TEST(ImpactRows, OfAnEnsembleAreMediansThatOneEarlyMemberDoesNotMove) {
   Ensembles ensembles;
   ensembles.add("fine", 0.004,
                 late_by({0.001, 0.002, 0, -0.001, 0.001, 0.003, -0.002, 0, -0.27, 0.001}));
-  ensembles.add("coarse", 0.008, late_by({0.001, 0.002, 0.001, 0.002, 0.001, 0.002, 0.001, 0.003}));
+  ensembles.add("coarse", 0.008,
+                late_by({0.0015, 0.002, 0.001, 0.002, 0.001, 0.002, 0.001, 0.003}));
   ensembles.made.definition.refinements = {
       {"spacing", RefinedNumber::particle_spacing, {"coarse", "fine"}}};
   for (const char* mode : {"impact_2", "impact_4"}) {
@@ -148,7 +149,7 @@ TEST(ImpactRows, OfAnEnsembleCountWhatItsInputsDoToARun) {
   const GateOutcome outcome = ensembles.judged(row_of(Metric::impact_arrival, "impact_2"));
   const Contribution& input = outcome.judgement.value().contributions.input;
   ASSERT_TRUE(input.half_width.has_value()) << input.basis;
-  EXPECT_NEAR(*input.half_width, 0.0035, 1e-9);
+  EXPECT_NEAR(*input.half_width, 0.004, 1e-9);  // the later end, against the run itself
   EXPECT_NEAR(outcome.value.value, 0, 1e-9);
 }
 

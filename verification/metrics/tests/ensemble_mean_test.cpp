@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -47,6 +48,39 @@ TEST(EnsembleMean, AddsTheSpreadOfBothSidesAfterWelch) {
   const double a = 7.0 / 3, b = 1, freedom = (a + b) * (a + b) / (a * a / 2 + b * b);
   EXPECT_NEAR(freedom, 2.985, 1e-3);
   EXPECT_NEAR(found.half_width, 3.190 * std::sqrt(a + b), 5e-3);  // t_(0.975, 2.985)
+}
+
+// Runs whose amplitudes are off by e, normal about a bias: the magnitude |e| has a known mean. Two
+// runs at +15 and -15 % have |e| = 15.00 +- 0.07 % without the spread of their series.
+TEST(EnsembleMean, OfAMagnitudeHoldsTheTruthBySpreadOfTheSeries) {
+  EXPECT_NEAR(ensemble_mean(pairs_of({{0.15}, {0.1501}}), SingleSide::exact).half_width, 0.0006,
+              1e-4);
+  EXPECT_GT(ensemble_mean(pairs_of({{0.15}, {0.1501}}), SingleSide::exact, {0.2122, 0}).half_width,
+            1.8);
+  std::mt19937 generator(7);
+  std::normal_distribution<double> normal;
+  constexpr int ensembles = 4000;
+  for (const double bias : {0.0, 0.5, 3.0})
+    for (const int members : {2, 3, 8}) {
+      const double truth = std::sqrt(2 / std::numbers::pi) * std::exp(-bias * bias / 2) +
+                           bias * std::erf(bias / std::sqrt(2.0));
+      int held = 0;
+      for (int trial = 0; trial < ensembles; ++trial) {
+        Values magnitudes;
+        double sum = 0, squares = 0;
+        for (int i = 0; i < members; ++i) {
+          const double error = bias + normal(generator);
+          magnitudes.push_back({std::abs(error)});
+          sum += error;
+          squares += error * error;
+        }
+        const double deviation = std::sqrt((squares - sum * sum / members) / (members - 1));
+        const Estimate found =
+            ensemble_mean(pairs_of(magnitudes), SingleSide::exact, {deviation, 0});
+        held += std::abs(found.value - truth) <= found.half_width;
+      }
+      EXPECT_GT(held, 0.94 * ensembles) << bias << " of " << members;
+    }
 }
 
 TEST(EnsembleMean, IsNoNumberWhereAMemberIsNone) {

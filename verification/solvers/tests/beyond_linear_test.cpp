@@ -1,0 +1,86 @@
+// What linear theory leaves beside its series, against nonlinear potential flow and against itself
+// with a thousand modes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "verification/case/quantities.hpp"
+#include "verification/runs/run_case.hpp"
+#include "verification/series/sample_moments.hpp"
+#include "verification/tests/sample_case.hpp"
+
+namespace slosh::beyond_linear_test {
+namespace {
+
+RunResult result_of(const CaseDefinition& definition, const decltype(RunDefinition::solver)& run) {
+  return execute(definition, sample_run(run), {}, [](double, double) {});
+}
+
+const LinearRun linear{.modes = 200, .valid_elevation_over_depth = 0.2};
+
+CaseDefinition ramped_roll() {
+  CaseDefinition definition = sample_case();
+  definition.tank = {0.92, 0.62};
+  definition.liquid.fill_depth = 0.465;
+  definition.motion = {};
+  definition.motion.roll = {
+      SineMotion{.amplitude = 0.08, .angular_frequency = 3, .ramp_periods = 2}, 0.46, 0.31};
+  definition.gauges = {{"right", 0.87}};
+  definition.pressure_gauges = {{"P", Wall::left, 0.17}};
+  definition.duration = 8;
+  return definition;
+}
+
+CaseDefinition standing_wave() {
+  CaseDefinition definition = sample_case();
+  definition.motion = {};
+  definition.initial_wave = InitialWaveDefinition{1, 0.03};
+  definition.pressure_gauges = {{"P", Wall::left, 0.17}};
+  definition.duration = 8;
+  return definition;
+}
+
+// The estimate's own error as a share of what linear theory leaves out.
+double error_of_estimate(const CaseDefinition& definition, const std::string& quantity) {
+  const RunResult theory = result_of(definition, linear),
+                  flow = result_of(definition, PotentialRun{32, 16});
+  const std::vector<double> exact = flow.at(quantity).value;
+  return rms(minus(theory.at(quantity + nonlinear).value, exact)) /
+         rms(minus(theory.at(quantity).value, exact));
+}
+
+TEST(BeyondLinear, IsWhatPotentialFlowAddsToAStandingWaveAndARoll) {
+  EXPECT_LT(error_of_estimate(standing_wave(), "elevation@right"), 0.05);
+  EXPECT_LT(error_of_estimate(ramped_roll(), "elevation@right"), 0.3);
+  // Pressures and forces have its order of magnitude.
+  for (const char* quantity : {"wall_pressure@P", "force_x"}) {
+    EXPECT_LT(error_of_estimate(standing_wave(), quantity), 1.5) << quantity;
+    EXPECT_LT(error_of_estimate(ramped_roll(), quantity), 1.5) << quantity;
+  }
+}
+
+TEST(BeyondLinear, TheModesThatATheoryLacksAreToldByThoseThatItAdds) {
+  CaseDefinition definition = sample_case();
+  definition.gauges.push_back({"node", 0.5 + 1.0 / 3});  // of the third half wave
+  const RunResult exact = result_of(definition, LinearRun{1000, false, 0.2});
+  for (const int modes : {1, 2, 5, 20, 100}) {
+    const RunResult theory = result_of(definition, LinearRun{modes, false, 0.2});
+    for (const char* quantity : {"elevation@right", "elevation@node"}) {
+      const auto& own = theory.at(quantity).value;
+      const double lacks = rms(minus(own, exact.at(quantity).value));
+      const double told = 2.5 * rms(minus(own, theory.at(quantity + std::string(finer)).value));
+      EXPECT_GT(told, lacks) << modes << " " << quantity;
+      EXPECT_LT(told, 4 * lacks) << modes << " " << quantity;
+    }
+  }
+}
+
+TEST(BeyondLinear, IsNotToldOfWavesThatAreTooSteepForIt) {
+  CaseDefinition definition = standing_wave();
+  definition.initial_wave->amplitude = 0.3;
+  const RunResult theory = result_of(definition, linear);
+  for (const TimeSeries& one : theory.series) EXPECT_FALSE(one.name.ends_with(nonlinear));
+}
+
+}  // namespace
+}  // namespace slosh::beyond_linear_test

@@ -1,0 +1,24 @@
+// What linear theory leaves out of a case's waves: the second and the third order of their
+// steepness (reference/third_order_waves.hpp), as an estimate of its error. The waves are those of
+// a rectangle as long as the still surface, of the fill depth or, for another section, of the depth
+// that has the section's first natural frequency. A roll moves the liquid as the surge of the
+// acceleration g theta - theta'' (fill depth - axis). The motion is scaled so that the linear waves
+// have the height of linear theory at the right wall. The estimate has the error of linear theory
+// against nonlinear potential flow to a fifth, in the small surge, the standing wave and the mild
+// roll of verification/cases (tests/beyond_linear_test.cpp).
+#pragma once
+
+#include <vector>
+
+#include "verification/case/case_definition.hpp"
+
+namespace slosh {
+
+// Returns eta - eta_linear [place][time] at the case's sample times at places x [m] from the tank's
+// left end. `at_right` is the elevation of linear theory at the right end of the still surface
+// [m]. The estimate is not finite where the waves are too steep for it.
+std::vector<std::vector<double>> beyond_linear(const CaseDefinition& definition,
+                                               const std::vector<double>& at_right,
+                                               const std::vector<double>& x);
+
+}  // namespace slosh
