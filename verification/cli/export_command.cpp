@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "verification/cli/command_tree.hpp"
+#include "verification/cli/stored_run.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/texts/series_csv.hpp"
@@ -22,7 +23,7 @@ int export_result(const ExportOptions& options) {
   if (!options.csv && options.output.extension() != ".csv")
     throw CaseFileError("--output: " + options.output.string() +
                         ": expected a name that ends in .csv, or --csv for any other");
-  const std::string text = series_csv(read_result(options.result));
+  const std::string text = series_csv(named_result(options.result));
   if (!options.output.empty()) {
     replace_file(options.output, text, Durability::process_crash);
     return exit_pass;

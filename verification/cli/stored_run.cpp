@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "verification/results/provenance.hpp"
 #include "verification/results/timings.hpp"
 #include "verification/runs/run_case.hpp"
 
@@ -80,6 +81,12 @@ void keep_copy(const ResultStore& store, const std::string& key, const RunResult
   } catch (const std::runtime_error& error) {
     std::cerr << "slosh: no campaign can take the result: " << error.what() << "\n";
   }
+}
+
+RunResult named_result(const fs::path& file) {
+  RunResult result = read_result(file);
+  make_legible(result);
+  return result;
 }
 
 void time_run(const ResultStore& store, const std::string& key, double longest,
