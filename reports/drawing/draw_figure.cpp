@@ -16,6 +16,7 @@
 #include "reports/drawing/gnuplot_script.hpp"
 #include "reports/drawing/relative_places.hpp"
 #include "reports/model/file_formats.hpp"
+#include "reports/model/legible_text.hpp"
 #include "reports/templates.hpp"
 
 namespace slosh::reports {
@@ -145,8 +146,8 @@ std::string svg_element(const Figure& figure, const DrawnFigure& drawn, SvgPlace
   kainjow::mustache::data data;
   data.set("own_file", place == SvgPlace::own_file);
   data.set("id", figure.id);
-  data.set("title", figure.title);
-  data.set("description", description(figure));
+  data.set("title", legible(figure.title));
+  data.set("description", legible(description(figure)));
   data.set("width", std::to_string(drawn.width));
   data.set("height", std::to_string(drawn.height));
   data.set("paper", paper.light);

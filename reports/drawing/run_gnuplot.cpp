@@ -8,6 +8,7 @@
 #include <system_error>
 #include <thread>
 
+#include "reports/model/legible_text.hpp"
 #include "reports/model/report_files.hpp"
 #include "reports/model/report_model.hpp"
 
@@ -85,11 +86,12 @@ std::string broken_output(const std::string& figure_id, const std::string& what,
 
 std::string quoted(const std::string& text) {
   // gnuplot 5.4 takes the apostrophe at the start of a literal '''a' for the literal's end.
-  const std::size_t apostrophes = std::min(text.find_first_not_of('\''), text.size());
-  std::string literal = apostrophes == 0 ? "'" : "\"" + text.substr(0, apostrophes) + "\".'";
-  for (const char c : text.substr(apostrophes)) {
+  const std::string shown = legible(text);
+  const std::size_t apostrophes = std::min(shown.find_first_not_of('\''), shown.size());
+  std::string literal = apostrophes == 0 ? "'" : "\"" + shown.substr(0, apostrophes) + "\".'";
+  for (const char c : shown.substr(apostrophes)) {
     if (c == '\'') literal += '\'';
-    literal += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+    literal += c == '\n' || c == '\t' ? ' ' : c;
   }
   return literal + "'";
 }

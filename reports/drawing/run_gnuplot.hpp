@@ -30,8 +30,8 @@ using Gnuplot = std::function<std::string(const std::string& script, const std::
 std::string broken_output(const std::string& figure_id, const std::string& what,
                           const std::filesystem::path& scratch_directory);
 
-// A string literal in which gnuplot expands nothing. Control characters, which would break the
-// script's lines and make an SVG invalid, become blanks.
+// A string literal in which gnuplot expands nothing. Line breaks and tabs become blanks,
+// and what is not legible (legible_text.hpp) is left out.
 std::string quoted(const std::string& text);
 
 }  // namespace slosh::reports

@@ -8,24 +8,17 @@
 #include <string_view>
 
 #include "reports/gate_documents/gate_document.hpp"
+#include "reports/model/legible_text.hpp"
 
 namespace slosh::reports {
 namespace {
 
 using Xml = boost::property_tree::ptree;
 
-// XML 1.0 allows no control characters except tab and line breaks.
-std::string xml_text(const std::string& text) {
-  std::string legal;
-  for (const char c : text)
-    legal += static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n' ? c : '?';
-  return legal;
-}
-
 void add_property(Xml& properties, const char* name, const std::string& value) {
   Xml property;
   property.put("<xmlattr>.name", name);
-  property.put("<xmlattr>.value", xml_text(value));
+  property.put("<xmlattr>.value", legible(value));
   properties.add_child("property", property);
 }
 
@@ -69,14 +62,14 @@ Element element_of(GateOutcomeKind outcome, const GateDocument& document) {
 
 Xml case_of(const GateEntry& entry, const Element& element) {
   Xml test;
-  test.put("<xmlattr>.classname", xml_text(entry.group));
-  test.put("<xmlattr>.name", xml_text(entry.name));
-  test.put("<xmlattr>.file", xml_text(entry.file));
+  test.put("<xmlattr>.classname", legible(entry.group));
+  test.put("<xmlattr>.name", legible(entry.name));
+  test.put("<xmlattr>.file", legible(entry.file));
   test.put("<xmlattr>.line", entry.line);
   test.add_child("properties", properties_of(entry));
   if (!element.name.empty()) {
     Xml told;
-    told.put("<xmlattr>.message", xml_text(entry.message));
+    told.put("<xmlattr>.message", legible(entry.message));
     if (!element.type.empty()) told.put("<xmlattr>.type", std::string(element.type));
     test.add_child(std::string(element.name), told);
   }
@@ -109,11 +102,11 @@ std::string junit_xml(const GateDocument& document) {
       groups.push_back(entry.group);
   Xml root, suites;
   Counts all;
-  suites.put("<xmlattr>.name", xml_text(document.title));
+  suites.put("<xmlattr>.name", legible(document.title));
   for (const std::string& group : groups) {
     Xml suite;
     Counts counts;
-    suite.put("<xmlattr>.name", xml_text(group));
+    suite.put("<xmlattr>.name", legible(group));
     for (const GateEntry& entry : document.entries) {
       if (entry.group != group) continue;
       const Element element = element_of(entry.outcome, document);

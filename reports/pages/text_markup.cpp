@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "reports/model/legible_text.hpp"
+
 namespace slosh::reports {
 namespace {
 
@@ -21,7 +23,8 @@ struct Piece {
 };
 
 // A pair of backticks encloses code. An unpaired backtick is text.
-std::vector<Piece> pieces(const std::string& text) {
+std::vector<Piece> pieces(const std::string& shown) {
+  const std::string text = legible(shown);
   std::vector<Piece> found;
   std::size_t position = 0;
   while (true) {

@@ -14,6 +14,7 @@
 #include "reports/summary/campaign_report.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
+#include "verification/files/json_text.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/results/provenance.hpp"
 
@@ -96,7 +97,7 @@ std::string document_of(int status, const std::vector<PredictionSet>& sets) {
 }  // namespace
 
 RecordedCampaign recorded_campaign(const std::string& text, const std::string& place) try {
-  const json document = json::parse(text);
+  const json document = parsed_json<json>(text);
   RecordedCampaign recorded{
       document.at("campaign"), document.at("quick"), document.at("exit_status"), 0, 0, place, {}};
   if (std::find(statuses.begin(), statuses.end(), recorded.exit_status) == statuses.end())

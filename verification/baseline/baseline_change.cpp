@@ -4,6 +4,7 @@
 
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/json_text.hpp"
 
 namespace slosh {
 namespace {
@@ -80,7 +81,7 @@ Proposal read_proposal(const fs::path& file) {
     throw LedgerError(file.string() +
                       ": there is no proposal; expected one by `slosh baseline propose`");
   try {
-    const Json content = Json::parse(read_bytes(file));
+    const Json content = parsed_json<Json>(read_bytes(file));
     return {content.at("campaign"), changes_from(content.at("changes"))};
   } catch (const Json::exception& error) {
     throw LedgerError(file.string() + ": not a proposal: " + error.what());

@@ -8,6 +8,7 @@
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/file_lock.hpp"
+#include "verification/files/json_text.hpp"
 
 namespace slosh {
 namespace {
@@ -43,7 +44,7 @@ fs::path beside(const fs::path& ledger, const char* suffix) {
 
 Head recorded_head(const fs::path& file) {
   try {
-    const Json content = Json::parse(read_bytes(file));
+    const Json content = parsed_json<Json>(read_bytes(file));
     return {content.at("lines"), content.at("hash")};
   } catch (const Json::exception& error) {
     throw LedgerError(fmt::format("{}: not the head of a ledger: {}", file.string(), error.what()));
@@ -94,7 +95,7 @@ std::vector<Approval> read_ledger(const fs::path& file) {
   for (std::string line; std::getline(lines, line); before += line + "\n") {
     const std::string place = fmt::format("{}:{}", file.string(), approvals.size() + 1);
     try {
-      const Json content = Json::parse(line);
+      const Json content = parsed_json<Json>(line);
       if (content.at("previous") != content_hash(before))
         throw LedgerError(place + ": the lines before it have changed since it was added");
       approvals.push_back(approval_from(content));

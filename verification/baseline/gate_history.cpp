@@ -9,6 +9,7 @@
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/file_lock.hpp"
+#include "verification/files/json_text.hpp"
 #include "verification/files/result_error.hpp"
 
 namespace slosh {
@@ -52,7 +53,7 @@ std::vector<CampaignState> read_history(const fs::path& file) {
   try {
     std::istringstream lines(read_bytes(file));
     for (std::string line; std::getline(lines, line);)
-      states.push_back(state_from(Json::parse(line)));
+      states.push_back(state_from(parsed_json<Json>(line)));
   } catch (const Json::exception& error) {
     throw ResultError(fmt::format("{}:{}: not a line of a campaign's history: {}", file.string(),
                                   states.size() + 1, error.what()));

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "verification/files/plain_file.hpp"
 #include "verification/results/result_file.hpp"
 
 namespace slosh {
@@ -19,7 +20,8 @@ struct Complaint {
 };
 
 Complaint read_complaint(const std::filesystem::path& log) {
-  std::ifstream stream(log);
+  std::ifstream stream;
+  if (is_plain_file(log)) stream.open(log);
   Complaint found;
   std::string last;
   std::size_t lines = 0;

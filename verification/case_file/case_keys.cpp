@@ -498,7 +498,7 @@ const std::vector<KeyTable>& case_key_tables() {
         {"inputs", "list of paths, relative to the case file", "no",
          "Files that count as part of the run: a change of one makes the run be computed again."},
         {"fail_on", "list of texts", "no",
-         "Regular expressions (ECMAScript). A line of the program's log that one of them matches "
+         "Regular expressions (RE2). A line of the program's log that one of them matches "
          "makes the run fail."},
         {"cores", "integer >= 1", "no",
          "The number of cores to which the program is bound, and its OMP_NUM_THREADS. Default: it "

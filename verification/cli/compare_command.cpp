@@ -18,6 +18,7 @@
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/limit_option.hpp"
+#include "verification/cli/stored_run.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/input_files.hpp"
@@ -225,8 +226,8 @@ struct ComparedFiles {
 ComparedFiles compared(const CompareOptions& options, const Installation& installation) {
   for (const std::filesystem::path& file : {options.candidate, options.reference})
     protect_input(file);
-  const RunResult candidate = read_result(options.candidate);
-  const RunResult reference = read_result(options.reference);
+  const RunResult candidate = named_result(options.candidate);
+  const RunResult reference = named_result(options.reference);
   const std::string quantity = compared_quantity(options, candidate, reference);
   std::optional<CaseDefinition> definition;
   if (!options.case_name.empty())

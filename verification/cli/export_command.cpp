@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "verification/cli/command_tree.hpp"
+#include "verification/cli/stored_run.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/input_files.hpp"
 #include "verification/gate/gate.hpp"
@@ -24,7 +25,7 @@ int export_result(const ExportOptions& options) {
     throw CaseFileError("--output: " + options.output.string() +
                         ": expected a name that ends in .csv, or --csv for any other");
   protect_input(options.result);
-  const std::string text = series_csv(read_result(options.result));
+  const std::string text = series_csv(named_result(options.result));
   if (options.output.empty())
     std::cout << text;
   else

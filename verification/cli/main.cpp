@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "reports/model/legible_text.hpp"
 #include "verification/campaign/campaign_run.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/input_files.hpp"
@@ -103,7 +104,7 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   const auto fail = [](const std::exception& error, int status) {
-    std::cerr << "slosh: " << error.what() << "\n";
+    std::cerr << "slosh: " << slosh::reports::legible(error.what()) << "\n";
     return status;
   };
   open_closed_streams();

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "verification/cli/command_tree.hpp"
+#include "verification/cli/stored_run.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/problems/problem_result.hpp"
 #include "verification/results/result_file.hpp"
@@ -37,7 +38,7 @@ constexpr const char* unreadable = "a result that cannot be read";
 std::optional<std::string> name_of_old(const ResultStore& store, const std::string& key,
                                        const PresentAnswers& present) try {
   if (const fs::path file = store.file(key, ".h5"); fs::exists(file)) {
-    const RunResult result = read_result(file);
+    const RunResult result = named_result(file);
     if (present.unknown_solvers.contains(result.solver)) return std::nullopt;
     return result.case_name + "/" + result.run_name + " (" + result.solver + ")";
   }

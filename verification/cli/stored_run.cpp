@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "verification/results/provenance.hpp"
 #include "verification/results/timings.hpp"
 #include "verification/runs/run_case.hpp"
 
@@ -88,6 +89,12 @@ void keep_copy(const ResultStore& store, const std::string& key, const RunResult
 
 void keep_failure(const ResultStore& store, const std::string& key, const RunFailure& why) {
   if_free(store, key, [&] { record_failure(store, key, why); });
+}
+
+RunResult named_result(const fs::path& file) {
+  RunResult result = read_result(file);
+  make_legible(result);
+  return result;
 }
 
 void time_run(const ResultStore& store, const std::string& key, double longest,

@@ -9,6 +9,7 @@
 
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/json_text.hpp"
 
 namespace slosh {
 namespace {
@@ -47,7 +48,7 @@ Job job_of(const json& entry) {
 // Returns nullopt where the file is absent or cannot be read yet: it is read again later.
 std::optional<json> read_end(const fs::path& file) try {
   if (!fs::exists(file)) return std::nullopt;
-  return json::parse(read_bytes(file));
+  return parsed_json<json>(read_bytes(file));
 } catch (const fs::filesystem_error&) {
   return std::nullopt;
 } catch (const json::exception&) {

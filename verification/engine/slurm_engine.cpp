@@ -11,6 +11,7 @@
 #include "verification/engine/watch.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/json_text.hpp"
 
 namespace slosh {
 namespace {
@@ -128,7 +129,7 @@ std::vector<JobState> run_by_slurm(const JobList& list, const LaunchSettings& se
 void wait_for_earlier_arrays(const fs::path& directory, const std::atomic<bool>& stop) {
   const fs::path file = directory / arrays_name;
   if (!fs::exists(file)) return;
-  const std::vector<std::string> ids = nlohmann::json::parse(read_bytes(file));
+  const std::vector<std::string> ids = parsed_json<nlohmann::json>(read_bytes(file));
   // A controller that has just been started knows of no job yet.
   for (int empty = 0; empty < 3 && !stop;) {
     const auto queued = queued_tasks(ids);

@@ -1,8 +1,10 @@
 #include "verification/files/child_process.hpp"
 
+#include <fcntl.h>
 #include <sched.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,12 +31,24 @@ namespace bp = boost::process;
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
+// A process that does not end on SIGKILL waits for a device, and another may hold a lock: this
+// process does not wait for them.
+constexpr auto patience = 5s;
+
 using LogFile = std::unique_ptr<FILE, int (*)(FILE*)>;
 
+// An earlier program may have left a link or a pipe in its place: neither is written to.
 LogFile open_log(const std::filesystem::path& file) {
   require_no_input(file);
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
-  LogFile log(std::fopen(file.c_str(), "we"), std::fclose);
+  const int descriptor = ::open(
+      file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+  LogFile log(descriptor < 0 ? nullptr : ::fdopen(descriptor, "w"), std::fclose);
+  struct stat status;
+  if (log && ::fstat(descriptor, &status) == 0 && !S_ISREG(status.st_mode)) {
+    log.reset();
+    errno = EINVAL;
+  }
   if (!log) {
     throw std::system_error(errno, std::generic_category(),
                             "cannot write the log " + file.string());
@@ -42,13 +56,33 @@ LogFile open_log(const std::filesystem::path& file) {
   return log;
 }
 
+// Takes the lock that is held until a child is bound to its cores, so that another one finds it so.
+// It lies in a directory of this user alone. Without it, as where another user has made a directory
+// of that name, or after five seconds, two children may be bound to the same cores.
+void take_choice_of_cores(std::optional<FileLock>& choice) {
+  const std::filesystem::path directory =
+      std::filesystem::temp_directory_path() / ("slosh-" + std::to_string(::getuid()));
+  ::mkdir(directory.c_str(), S_IRWXU);
+  struct stat status;
+  if (::lstat(directory.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
+      status.st_uid != ::getuid() || (status.st_mode & (S_IRWXG | S_IRWXO)) != 0)
+    return;
+  struct TooLong {};
+  const auto begin = Clock::now();
+  try {
+    choice.emplace(directory / "cores.lock", [begin] {
+      if (Clock::now() - begin > patience) throw TooLong();
+    });
+  } catch (const TooLong&) {
+  } catch (const std::filesystem::filesystem_error&) {
+  }
+}
+
 // Adopted processes have lost their parent and became children of this process: what a child has
 // started and left behind, also in a session of its own (setsid), which no signal to the child's
 // process group reaches. prctl(2), PR_SET_CHILD_SUBREAPER.
 
 constexpr auto look_interval = 2ms;
-// A process that does not end on SIGKILL waits for a device. This process does not wait for it.
-constexpr auto patience = 5s;
 
 std::set<pid_t> children() {
   std::set<pid_t> found;
@@ -145,13 +179,11 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const ChildS
   const std::filesystem::path directory =
       settings.directory.empty() ? std::filesystem::current_path() : settings.directory;
   adopt_orphans();
-  // Held until the child is bound, so that another one finds it so.
   std::optional<FileLock> choice;
   cpu_set_t cores;
   CPU_ZERO(&cores);
   if (settings.cores > 0) {
-    choice.emplace(std::filesystem::temp_directory_path() /
-                   ("slosh_cores." + std::to_string(::getuid())));
+    take_choice_of_cores(choice);
     for (const int core : least_bound_cores(settings.cores)) CPU_SET(core, &cores);
   }
   const auto set_up = [&](auto&) {

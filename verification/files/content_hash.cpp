@@ -1,14 +1,29 @@
 #include "verification/files/content_hash.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 #include <xxhash.h>
 
 #include <cerrno>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 
+#include "verification/files/plain_file.hpp"
+
 namespace slosh {
+namespace {
+
+struct OpenedFile {
+  explicit OpenedFile(int descriptor) : id(descriptor) {}
+  OpenedFile(const OpenedFile&) = delete;
+  OpenedFile& operator=(const OpenedFile&) = delete;
+  ~OpenedFile() {
+    if (id >= 0) ::close(id);
+  }
+  const int id;
+};
+
+}  // namespace
 
 // XXH3's state needs 64-byte alignment, which its own allocator provides.
 struct ContentHash::State {
@@ -37,16 +52,21 @@ std::string content_hash(std::string_view bytes) {
 }
 
 std::string read_bytes(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const bool is_directory = std::filesystem::is_directory(file);
-  if (!stream || is_directory) {
-    const auto reason = is_directory ? std::make_error_code(std::errc::is_a_directory)
-                                     : std::error_code(errno, std::generic_category());
-    throw std::filesystem::filesystem_error("cannot read", file, reason);
+  const auto fail = [&](const char* action, std::errc reason) {
+    throw std::filesystem::filesystem_error(action, file, std::make_error_code(reason));
+  };
+  const OpenedFile opened(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
+  if (opened.id < 0) fail("cannot read", std::errc(errno));
+  if (std::filesystem::is_directory(file)) fail("cannot read", std::errc::is_a_directory);
+  if (!is_plain_file(opened.id))
+    fail("cannot read what is no file of a disk", std::errc::invalid_argument);
+  std::string bytes;
+  char part[1 << 16];
+  for (ssize_t count; (count = ::read(opened.id, part, sizeof part)) != 0;) {
+    if (count < 0 && errno != EINTR) fail("cannot read", std::errc(errno));
+    if (count > 0) bytes.append(part, static_cast<std::size_t>(count));
   }
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  return std::move(bytes).str();
+  return bytes;
 }
 
 }  // namespace slosh

@@ -25,7 +25,8 @@ class ContentHash {
 
 std::string content_hash(std::string_view bytes);
 
-// The content of a file. Throws std::filesystem::filesystem_error where it cannot be read.
+// The content of a file. Throws std::filesystem::filesystem_error where it cannot be read, and
+// where it is no plain file (plain_file.hpp).
 std::string read_bytes(const std::filesystem::path& file);
 
 }  // namespace slosh

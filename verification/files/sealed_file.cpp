@@ -7,8 +7,10 @@
 
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/guarded_reading.hpp"
 #include "verification/files/hdf5_handles.hpp"
 #include "verification/files/result_error.hpp"
+#include "verification/files/self_contained.hpp"
 
 namespace slosh {
 namespace {
@@ -54,6 +56,7 @@ void read_image(std::string_view image, const std::function<void(hid_t)>& read) 
       H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()),  // HDF5 copies it
       "take an image");
   const Handle file(H5Fopen("image", H5F_ACC_RDONLY, access), H5Fclose, "open the image");
+  hdf5::require_self_contained(file);
   read(file);
 }
 
@@ -80,7 +83,8 @@ void read_sealed(const SealedKind& kind, const std::filesystem::path& file,
                  const std::function<void(hid_t)>& read) try {
   const hdf5::QuietErrors quiet;
   const std::string bytes = read_bytes(file);
-  read_image(unsealed(kind, bytes), read);
+  const std::string_view image = unsealed(kind, bytes);
+  read_guarded(image.size(), [&] { read_image(image, read); });
 } catch (const std::runtime_error& error) {
   throw ResultError(
       fmt::format("cannot use the {} file {}: {}", kind.name, file.string(), error.what()));

@@ -1,8 +1,9 @@
 // A sealed file of this project is an HDF5 image followed by one line of fixed length, the seal:
 //   "slosh KIND <version> <hash (128-bit XXH3) of every byte before it>\n"
 // HDF5 readers ignore bytes past the image's end. The seal is checked before HDF5 parses the image,
-// so that a damaged file gives a clear message and never reaches the parser. The file is written
-// under a temporary name and renamed when complete.
+// so that a damaged file gives a clear message and never reaches the parser. A file whose seal is
+// forged is read under guard (guarded_reading.hpp) and may not lead into other files
+// (self_contained.hpp). The file is written under a temporary name and renamed when complete.
 #pragma once
 
 #include <hdf5.h>

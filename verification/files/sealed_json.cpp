@@ -4,6 +4,7 @@
 
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/json_text.hpp"
 #include "verification/files/result_error.hpp"
 
 namespace slosh {
@@ -32,7 +33,7 @@ bool is_sealed_json(std::string_view text) {
 
 json read_sealed_json(const char* format, const std::filesystem::path& file) try {
   if (!std::filesystem::exists(file)) throw ResultError(file.string() + " does not exist");
-  const json document = json::parse(read_bytes(file));
+  const json document = parsed_json<json>(read_bytes(file));
   const json& body = document.at("body");
   if (document.at("hash") != content_hash(text_of(body, -1)))
     throw ResultError(file.string() + " has been altered");

@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <string_view>
 
+#include "verification/files/guarded_reading.hpp"
 #include "verification/files/hdf5_handles.hpp"
+#include "verification/files/plain_file.hpp"
+#include "verification/files/self_contained.hpp"
 #include "verification/import/file_formats.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
@@ -31,10 +34,10 @@ std::vector<std::string> data_sets_in(hid_t file) {
   return names;
 }
 
-[[noreturn]] void refuse(const SeriesSource& source, std::string_view key, std::string_view value,
+// Without the name of the file, which read_hdf5_series() puts before it.
+[[noreturn]] void refuse(std::string_view key, std::string_view value,
                          const std::string& expected) {
-  throw CaseFileError(
-      fmt::format("{}: {} = {}: expected {}", source.file.string(), key, value, expected));
+  throw std::runtime_error(fmt::format("{} = {}: expected {}", key, value, expected));
 }
 
 // In the file's own type: HDF5 turns no ASCII of variable length into UTF-8. A text of fixed length
@@ -52,14 +55,14 @@ std::string read_text(hid_t attribute, hid_t type) {
   return std::string(trimmed(text.substr(0, text.find('\0'))));
 }
 
-std::string unit_of_data_set(hid_t data_set, const SeriesSource& source, std::string_view path) {
+std::string unit_of_data_set(hid_t data_set, std::string_view path) {
   for (const char* name : {"unit", "units"}) {
     if (H5Aexists(data_set, name) <= 0) continue;
     const Handle attribute(H5Aopen(data_set, name, H5P_DEFAULT), H5Aclose, "open a unit");
     const Handle type(H5Aget_type(attribute), H5Tclose, "get the type of a unit");
     const Handle space(H5Aget_space(attribute), H5Sclose, "get the shape of a unit");
     if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1)
-      refuse(source, fmt::format("{}, attribute {}", path, name), "no single text", "a unit");
+      refuse(fmt::format("{}, attribute {}", path, name), "no single text", "a unit");
     return read_text(attribute, type);
   }
   return "";
@@ -77,38 +80,48 @@ bool is_row_or_column(hid_t data_set, std::string& shape) {
 }
 
 // Reads the numbers and the unit of a data set of one row or column.
-void read_data_set(hid_t file, const SeriesSource& source, std::string_view key,
-                   const std::string& path, std::vector<double>& values, std::string& unit) {
+void read_data_set(hid_t file, std::string_view key, const std::string& path,
+                   std::vector<double>& values, std::string& unit) {
   const hid_t found = H5Dopen2(file, path.c_str(), H5P_DEFAULT);
   if (found < 0)
-    refuse(source, key, path,
+    refuse(key, path,
            fmt::format("a data set of the file; nearest: {}",
                        fmt::join(nearest_names(path, data_sets_in(file), 3), ", ")));
   const Handle data_set(found, H5Dclose, "open a data set");
   std::string shape;
   if (!is_row_or_column(data_set, shape))
-    refuse(source, key, path,
+    refuse(key, path,
            fmt::format("a data set of one row or column, not of {}",
                        shape.empty() ? "one value" : shape));
   values = hdf5::read_numbers(file, path);
-  unit = unit_spelt(unit_of_data_set(data_set, source, path));
+  unit = unit_spelt(unit_of_data_set(data_set, path));
+}
+
+RawSeries read_series(const SeriesSource& source) {
+  const hid_t opened = H5Fopen(source.file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (opened < 0) refuse("format", "hdf5", "a whole HDF5 file");
+  const Handle file(opened, H5Fclose, "open the file");
+  hdf5::require_self_contained(file);
+  const bool is_group = source.time_column.empty();
+  RawSeries series;
+  read_data_set(file, is_group ? "column" : "time_column",
+                is_group ? source.column + "/time" : source.time_column, series.time,
+                series.time_unit);
+  read_data_set(file, "column", is_group ? source.column + "/value" : source.column, series.value,
+                series.unit);
+  return series;
 }
 
 }  // namespace
 
-RawSeries read_hdf5_series(const SeriesSource& source) {
+RawSeries read_hdf5_series(const SeriesSource& source) try {
   const hdf5::QuietErrors quiet;
-  const hid_t opened = H5Fopen(source.file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  if (opened < 0) refuse(source, "format", "hdf5", "a whole HDF5 file");
-  const Handle file(opened, H5Fclose, "open the file");
-  const bool is_group = source.time_column.empty();
+  if (!is_plain_file(source.file)) refuse("file", "no file of a disk", "one");
   RawSeries series;
-  read_data_set(file, source, is_group ? "column" : "time_column",
-                is_group ? source.column + "/time" : source.time_column, series.time,
-                series.time_unit);
-  read_data_set(file, source, "column", is_group ? source.column + "/value" : source.column,
-                series.value, series.unit);
+  read_guarded(std::filesystem::file_size(source.file), [&] { series = read_series(source); });
   return series;
+} catch (const std::runtime_error& error) {
+  throw CaseFileError(source.file.string() + ": " + error.what());
 }
 
 }  // namespace slosh

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "verification/files/input_files.hpp"
+#include "verification/files/plain_file.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 
@@ -57,7 +58,7 @@ fs::path find_definition_file(std::string_view kind, const std::string& name_or_
 std::string read_definition_text(std::string_view kind, const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
-  if (!fs::is_regular_file(file) || !(text << stream.rdbuf())) {
+  if (!is_plain_file(file) || !(text << stream.rdbuf())) {
     throw CaseFileError(
         fmt::format("{}: expected a {} file with text that can be read", file.string(), kind));
   }

@@ -100,6 +100,38 @@ std::optional<T> converted(const toml::node& node) {
   }
 }
 
+// Whether the text has a control character other than a line's end or a tab. A TOML file can hold
+// them only as "\u001B"; in a title they would command a terminal and make an SVG malformed.
+bool has_control_character(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool ends_line =
+        byte == '\n' || (byte == '\r' && i + 1 < text.size() && text[i + 1] == '\n');
+    const bool is_c1 =
+        byte == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0;
+    if ((byte < 0x20 && !ends_line && byte != '\t') || byte == 0x7f || is_c1) return true;
+  }
+  return false;
+}
+
+void require_printable(const toml::node& node, const std::string& file) {
+  const auto require = [&](std::string_view text) {
+    if (has_control_character(text))
+      throw CaseFileError(fmt::format(
+          "{}:{}: a text with a control character: expected only those that can be printed, line "
+          "breaks and tabs",
+          file, node.source().begin.line));
+  };
+  if (const auto* text = node.as_string()) require(text->get());
+  if (const auto* array = node.as_array())
+    for (const toml::node& element : *array) require_printable(element, file);
+  if (const auto* table = node.as_table())
+    for (const auto& [key, value] : *table) {
+      require(key.str());
+      require_printable(value, file);
+    }
+}
+
 toml::table parsed(std::string_view text, const std::filesystem::path& file) {
   if (const auto letter = letter_outside_strings(text))
     throw CaseFileError(fmt::format(
@@ -107,7 +139,9 @@ toml::table parsed(std::string_view text, const std::filesystem::path& file) {
         "comments",
         file.string(), letter->line, letter->column));
   try {
-    return toml::parse(text, file.string());
+    toml::table table = toml::parse(text, file.string());
+    require_printable(table, file.string());
+    return table;
   } catch (const toml::parse_error& error) {
     const auto& place = error.source().begin;
     throw CaseFileError(fmt::format("{}:{}:{}: not TOML: {}", file.string(), place.line,

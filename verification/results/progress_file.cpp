@@ -1,9 +1,10 @@
 #include "verification/results/progress_file.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "verification/files/atomic_file.hpp"
+#include "verification/files/content_hash.hpp"
+#include "verification/files/json_text.hpp"
 
 namespace slosh {
 
@@ -14,8 +15,7 @@ void write_progress(const RunProgress& progress, const std::filesystem::path& fi
 }
 
 std::optional<RunProgress> read_progress(const std::filesystem::path& file) try {
-  std::ifstream stream(file);
-  const nlohmann::json document = nlohmann::json::parse(stream);
+  const auto document = parsed_json<nlohmann::json>(read_bytes(file));
   return RunProgress{.time = document.at("time_s"),
                      .end_time = document.at("end_time_s"),
                      .steps = document.at("steps")};

@@ -8,6 +8,7 @@
 
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/json_text.hpp"
 
 namespace slosh {
 namespace {
@@ -64,7 +65,7 @@ SelftestRecord read_selftest_record(const fs::path& file) {
     throw SelftestRecordError(file.string() +
                               ": the file is missing; `slosh selftest --record` writes it");
   try {
-    const Json content = Json::parse(read_bytes(file));
+    const Json content = parsed_json<Json>(read_bytes(file));
     SelftestRecord record{content.at("campaign"), content.at("quick"), {}};
     for (const Json& one : content.at("cases")) record.cases.push_back(coverage_from(one));
     return record;

@@ -7,6 +7,7 @@
 
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/json_text.hpp"
 
 namespace slosh {
 namespace {
@@ -39,7 +40,7 @@ MutationTrials trials_from(const json& kept) {
 std::map<std::string, MutationTrials> trials_in(const fs::path& file) try {
   std::map<std::string, MutationTrials> trials;
   if (!fs::is_regular_file(file)) return trials;
-  const json read = json::parse(read_bytes(file));
+  const json read = parsed_json<json>(read_bytes(file));
   if (read.at("format_version") != format_version) return trials;
   for (const auto& [key, kept] : read.at("strengths").items()) trials[key] = trials_from(kept);
   return trials;

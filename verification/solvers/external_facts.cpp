@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "verification/files/content_hash.hpp"
+#include "verification/files/json_text.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 
@@ -24,11 +25,11 @@ constexpr const char *liquid_particles = "liquid_particles", *steps = "steps",
 
 // The object of the file. Throws for a key that is there twice, of which JSON would take the last.
 json read_object(const fs::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw CaseFileError(file.string() + ": expected a file that the program writes");
+  if (!fs::exists(file))
+    throw CaseFileError(file.string() + ": expected a file that the program writes");
   std::vector<std::string> keys;
   std::string twice;
-  const auto look = [&](int depth, json::parse_event_t event, const json& parsed) {
+  const auto look = [&](int depth, auto event, const json& parsed) {
     if (event != json::parse_event_t::key || depth != 1) return true;
     const std::string key = parsed.get<std::string>();
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) twice = key;
@@ -36,13 +37,15 @@ json read_object(const fs::path& file) {
     return true;
   };
   try {
-    json document = json::parse(stream, look);
+    json document = parsed_json<json>(read_bytes(file), look);
     if (!document.is_object()) throw CaseFileError(file.string() + ": expected a JSON object");
     if (!twice.empty())
       throw CaseFileError(fmt::format("{}: {}: expected each key once", file.string(), twice));
     return document;
   } catch (const json::exception& error) {
     throw CaseFileError(fmt::format("{}: not JSON: {}", file.string(), error.what()));
+  } catch (const fs::filesystem_error& error) {
+    throw CaseFileError(error.what());
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <re2/re2.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -11,8 +12,7 @@
 #include <cstring>
 #include <deque>
 #include <fstream>
-#include <regex>
-#include <sstream>
+#include <memory>
 #include <thread>
 
 #include "verification/files/bound_cores.hpp"
@@ -51,6 +51,9 @@ class AwaitedEnd {
   static inline std::atomic<int> asked{0};
   void (*former_[std::size(signals)])(int);
 };
+
+// A program may leave a link or a pipe in the place of its log.
+bool is_log(const fs::path& file) { return fs::is_regular_file(fs::symlink_status(file)); }
 
 // Returns how the program ended; empty for exit status 0.
 std::string bad_end(int wait_status) {
@@ -94,6 +97,7 @@ void run_program(const ProgramStart& start) {
       std::this_thread::sleep_for(poll_interval);
     }
     if (const std::string how = bad_end(child.wait_status()); !how.empty()) fail(how);
+    if (!is_log(start.log)) fail("left something else in the place of its log");
   } catch (const std::system_error& error) {
     fail(std::string("cannot be started: ") + error.what());
   }
@@ -101,17 +105,35 @@ void run_program(const ProgramStart& start) {
 
 namespace {
 
-// Splits a line at its carriage returns, which a progress bar writes, and cuts what is still longer
-// than `longest` letters into overlapping pieces.
-std::vector<std::string> parts_of(const std::string& line, std::size_t longest) {
-  const std::size_t overlap = longest / 10;
-  std::vector<std::string> parts;
-  std::istringstream stream(line);
-  for (std::string shown; std::getline(stream, shown, '\r');)
-    for (std::size_t at = 0; at == 0 || at + overlap < shown.size(); at += longest - overlap)
-      parts.push_back(shown.substr(at, longest));
-  return parts;
-}
+// A log piece by piece: its lines, parted at carriage returns too, which a progress bar writes.
+// What is longer than `longest` letters comes in pieces that overlap. What is no log is empty.
+class LogPieces {
+ public:
+  explicit LogPieces(const fs::path& log) {
+    if (is_log(log)) stream_.open(log, std::ios::binary);
+  }
+
+  bool next() {
+    constexpr std::size_t longest = 1 << 16, overlap = longest / 10;
+    line_ += end_ == '\n';
+    text_.erase(0, end_ == cut ? text_.size() - overlap : text_.size());
+    const std::size_t old = text_.size();
+    for (end_ = cut; text_.size() < longest; text_ += static_cast<char>(end_), end_ = cut) {
+      end_ = stream_.rdbuf()->sbumpc();
+      if (end_ == '\n' || end_ == '\r') return true;
+      if (end_ == EOF) return text_.size() > old;
+    }
+    return true;
+  }
+  const std::string& text() const { return text_; }
+  int line() const { return line_; }
+
+ private:
+  static constexpr int cut = -2;
+  std::ifstream stream_;
+  std::string text_;
+  int line_ = 1, end_ = '\r';
+};
 
 // Returns the end of a long line, which is what the program wrote last.
 std::string shortened(const std::string& line) {
@@ -123,27 +145,23 @@ std::string shortened(const std::string& line) {
 }  // namespace
 
 void require_no_match(const std::vector<std::string>& fail_on, const fs::path& log) {
-  // The library's search takes stack for each letter of a line.
-  constexpr std::size_t longest = 10000;
-  std::vector<std::regex> patterns;
-  for (const std::string& text : fail_on) patterns.emplace_back(text);
-  std::ifstream stream(log);
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number)
-    for (const std::string& part : parts_of(line, longest))
-      for (std::size_t i = 0; i < patterns.size(); ++i)
-        if (std::regex_search(part, patterns[i]))
-          throw program_failure(fmt::format("line {} of its log matches fail_on = \"{}\": {}",
-                                            number, fail_on[i], shortened(part)),
-                                log);
+  std::vector<std::unique_ptr<RE2>> patterns;
+  for (const std::string& text : fail_on)
+    patterns.push_back(std::make_unique<RE2>(text, RE2::Quiet));
+  for (LogPieces log_now(log); !patterns.empty() && log_now.next();)
+    for (const auto& pattern : patterns)
+      if (RE2::PartialMatch(log_now.text(), *pattern))
+        throw program_failure(
+            fmt::format("line {} of its log matches fail_on = \"{}\": {}", log_now.line(),
+                        pattern->pattern(), shortened(log_now.text())),
+            log);
 }
 
 SolverError program_failure(const std::string& what, const fs::path& log) {
   constexpr std::size_t shown = 10;
   std::deque<std::string> lines;
-  std::ifstream stream(log);
-  for (std::string line; std::getline(stream, line);) {
-    if (!trimmed(line).empty()) lines.push_back(shortened(line));
+  for (LogPieces piece(log); piece.next();) {
+    if (!trimmed(piece.text()).empty()) lines.push_back(shortened(piece.text()));
     if (lines.size() > shown) lines.pop_front();
   }
   const std::string last = lines.empty() ? "it said nothing" : "its last words: " + lines.back();

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "verification/files/content_hash.hpp"
+#include "verification/files/plain_file.hpp"
 #include "verification/import/import_series.hpp"
+#include "verification/input/tables/series_files.hpp"
 #include "verification/input/tables/table_reader.hpp"
 #include "verification/peers/tank_file.hpp"
 #include "verification/results/provenance.hpp"
@@ -20,11 +23,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Throws CaseFileError for what the program left in the place of a file that is read: a pipe, which
+// would never end, or a link to a file of another place.
+void require_left_in(const fs::path& directory, const fs::path& file) {
+  std::error_code lost;
+  if (!fs::exists(fs::symlink_status(file, lost))) return;  // the reader says so
+  const fs::path home = fs::canonical(directory), real = fs::canonical(file, lost);
+  const bool is_in =
+      !lost &&
+      std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
+  if (!is_in || !is_plain_file(real))
+    throw CaseFileError(file.string() +
+                        ": expected a regular file in the work directory; it is a link that leads "
+                        "out of it, or a pipe, a socket or a device");
+}
+
 ImportedSeries series_left(const SeriesSource& declared, const fs::path& work_directory,
                            const fs::path& log) {
   SeriesSource source = declared;
   source.file = work_directory / declared.file;
   try {
+    if (!fs::is_directory(source.file)) require_left_in(work_directory, source.file);
+    for (const fs::path& part : series_files(source.file)) require_left_in(work_directory, part);
     return import_with_seams(source);
   } catch (const CaseFileError& error) {
     throw program_failure(source.quantity + ": " + error.what(), log);
@@ -37,6 +57,7 @@ void take_facts(const ExternalRun& external, const fs::path& work_directory, con
                 const RunCost& taken, RunResult& result) {
   if (external.facts.empty()) return;
   try {
+    require_left_in(work_directory, work_directory / external.facts);
     add_external_facts(work_directory / external.facts, taken, result);
   } catch (const CaseFileError& error) {
     throw program_failure(error.what(), log);
@@ -98,14 +119,15 @@ RunResult run_solver(const ExternalRun& external, const RunRequest& request) {
   const fs::path work = fs::absolute(request.settings.work_directory);
   const fs::path directory = work / (request.run.name + ".external");
   const fs::path log = work / (request.run.name + ".external.log");
-  fs::remove_all(directory);  // an earlier run may have left files
+  const fs::path version_log = work / (request.run.name + ".version.log");
+  // An earlier run may have left files, and anything in the place of its logs.
+  for (const fs::path& left : {directory, log, version_log}) fs::remove_all(left);
   fs::create_directories(directory);
   const std::vector<std::string> command =
       external_command(external, request.definition, directory);
   // Before the run, so that a version that cannot be told costs no run.
   const CostMeter apart;
-  const std::string version = program_version(external, request.definition, directory,
-                                              work / (request.run.name + ".version.log"));
+  const std::string version = program_version(external, request.definition, directory, version_log);
   RunResult result;
   result.cost = apart.cost();
   if (asks_for_tank_file(external)) write_tank_file(request.definition, directory);

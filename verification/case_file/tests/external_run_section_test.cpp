@@ -121,7 +121,7 @@ TEST(ExternalRunSection, IsRefusedByTheLineWhereItGoesWrong) {
       {command + "timelimit_s = 1\n" + series, "trial.toml:56: run.timelimit_s = 1: expected only"},
       {command + "modes = 3\n" + series, "trial.toml:56: run.modes = 3: expected only these keys"},
       {command + "fail_on = [\"NaN\", \"[0-9\"]\n" + series,
-       "trial.toml:56: run.fail_on = \"[0-9\": expected a regular expression, as of ECMAScript"},
+       "trial.toml:56: run.fail_on = \"[0-9\": expected a regular expression of RE2"},
       {command + "cores = 0\n" + series, "trial.toml:56: run.cores = 0: expected an integer >= 1"},
       {command + "version_command = []\n" + series,
        "trial.toml:56: run.version_command = (an array): expected a list of texts that begins with "

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "verification/files/input_files.hpp"
+#include "verification/files/plain_file.hpp"
 
 namespace slosh {
 namespace {
@@ -48,8 +49,11 @@ std::string with_code_points(std::string_view text) {
 
 }  // namespace
 
-TableReader::TableReader(const std::filesystem::path& file) : file_(file), stream_(file) {
+TableReader::TableReader(const std::filesystem::path& file) : file_(file) {
+  if (std::filesystem::exists(file) && !is_plain_file(file))
+    refuse("file", file.string(), "a file of a disk");
   protect_input(file);
+  stream_.open(file);
   next();
   if (is_utf_16(line_))
     refuse("encoding", "UTF-16", "UTF-8, as iconv -f UTF-16 -t UTF-8 writes it");

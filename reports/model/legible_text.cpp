@@ -1,0 +1,54 @@
+#include "reports/model/legible_text.hpp"
+
+#include <algorithm>
+#include <boost/locale/utf.hpp>
+
+namespace slosh::reports {
+namespace {
+
+using Utf8 = boost::locale::utf::utf_traits<char>;
+
+constexpr char escape = '\x1b';
+
+bool is_shown(boost::locale::utf::code_point character) {
+  const auto within = [&](char32_t first, char32_t last) {
+    return character >= first && character <= last;
+  };
+  if (character == U'\n' || character == U'\t') return true;
+  return !within(0, 0x1f) && !within(0x7f, 0x9f) && character != 0x061c &&
+         !within(0x200e, 0x200f) && !within(0x202a, 0x202e) && !within(0x2066, 0x2069) &&
+         !within(0xfffe, 0xffff);
+}
+
+// Of the control sequence that the text begins with; 1 for another use of the escape character.
+std::size_t length_of_sequence(std::string_view text) {
+  if (text.size() < 2 || text[1] != '[') return 1;
+  const auto last = std::find_if(text.begin() + 2, text.end(),
+                                 [](char letter) { return letter < '\x20' || letter > '\x3f'; });
+  const bool is_whole = last != text.end() && *last >= '\x40' && *last <= '\x7e';
+  return static_cast<std::size_t>(last - text.begin()) + (is_whole ? 1 : 0);
+}
+
+}  // namespace
+
+std::string legible(std::string_view text) {
+  std::string shown;
+  shown.reserve(text.size());
+  for (auto at = text.begin(); at != text.end();) {
+    const auto begin = at;
+    if (*begin == escape) {
+      at += static_cast<std::ptrdiff_t>(length_of_sequence(text.substr(begin - text.begin())));
+      continue;
+    }
+    const auto character = Utf8::decode(at, text.end());
+    if (!boost::locale::utf::is_valid_codepoint(character)) {
+      at = begin + 1;
+      shown += "\uFFFD";
+    } else if (is_shown(character)) {
+      shown.append(begin, at);
+    }
+  }
+  return shown;
+}
+
+}  // namespace slosh::reports
