@@ -82,10 +82,10 @@ std::string gate_markdown(const GateDocument& document) {
         "\n| verdict | kind | case | row | result | uncertainties | since the baseline |\n"
         "|---|---|---|---|---|---|---|\n" +
         lines;
-  if (passed > 0) text += fmt::format("\n{} rows pass and have not changed.\n", passed);
+  if (passed > 0) text += fmt::format("\nRows that pass and have not changed: {}.\n", passed);
   if (skipped > 0)
-    text +=
-        fmt::format("\n{} rows are not selected, or their records are not supplied.\n", skipped);
+    text += fmt::format("\nRows that are not selected, or whose records are not supplied: {}.\n",
+                        skipped);
   return text;
 }
 

@@ -101,8 +101,8 @@ TEST(GateDocument, ListsInMarkdownWhatIsNotSimplyAPassAndCountsTheRest) {
   EXPECT_LT(at("**not compared**"), at("**inconclusive**"));
   EXPECT_LT(at("unsure"), at("tolerance loosened"));
   EXPECT_EQ(at("| fine"), text.npos);
-  EXPECT_NE(at("\n1 rows pass and have not changed.\n"), text.npos);
-  EXPECT_NE(at("\n1 rows are not selected, or their records are not supplied.\n"), text.npos);
+  EXPECT_NE(at("\nRows that pass and have not changed: 1.\n"), text.npos);
+  EXPECT_NE(at("\nRows that are not selected, or whose records are not supplied: 1.\n"), text.npos);
   EXPECT_NE(at("3 % is not &lt;= 1 % \\| at all"), text.npos);  // the bar would end the cell
 }
 

@@ -89,7 +89,7 @@ TEST(RecordedCampaigns, StandOnOnePageWithTheBandOfEachModel) {
       recorded_campaign(results_of("others", false, 1.2), "others/report/index.html")};
   const reports::Report report = report_of_campaigns(campaigns, {"bad/results.json: no JSON"});
   EXPECT_NO_THROW(reports::check_report(report));
-  EXPECT_EQ(report.verdict, "1 of 2 campaigns pass; 25 of 30 gate rows hold.");
+  EXPECT_EQ(report.verdict, "1 of 3 campaigns pass; 25 of 30 gate rows hold.");
   EXPECT_EQ(report.outcome, reports::Outcome::fail);
   ASSERT_EQ(report.sections.size(), 2u);
   EXPECT_EQ(report.sections[0].figures.at(0).id, "bias-elevation-amplitude-ratio");

@@ -109,10 +109,10 @@ reports::GateEntry entry_of(const ProblemAssessment& assessment, const ProblemGa
 }
 
 reports::GateEntry entry_of(const RowMovement& lost) {
-  const std::size_t colon = lost.row.find(": ");
+  const std::size_t colon = std::min(lost.row.find(": "), lost.row.size());
   return {.outcome = lost.loses_validation() ? GateOutcomeKind::lost : GateOutcomeKind::skipped,
           .group = lost.row.substr(0, colon),
-          .name = lost.row.substr(colon + 2),
+          .name = lost.row.substr(std::min(colon + 2, lost.row.size())),
           .message = "the baseline has the row, and no approval takes it out",
           .unit = lost.unit,
           .lower = lost.before->lower,
@@ -150,11 +150,16 @@ void add_open_run(const std::string& group, const std::string& name, const RunSt
 // case could be compared.
 void add_bare_verdict(const std::string& campaign, const GateFindings& findings,
                       reports::GateDocument& document) {
-  const bool is_told = std::any_of(
-      document.entries.begin(), document.entries.end(), [](const reports::GateEntry& one) {
-        return one.outcome != GateOutcomeKind::pass && one.outcome != GateOutcomeKind::skipped;
-      });
-  if (findings.status != exit_pass && !is_told)
+  const auto passes = [&](GateOutcomeKind outcome) {
+    return outcome == GateOutcomeKind::pass || outcome == GateOutcomeKind::skipped ||
+           (outcome == GateOutcomeKind::inconclusive && findings.inconclusive_passes);
+  };
+  const bool is_told =
+      std::any_of(document.entries.begin(), document.entries.end(),
+                  [&](const reports::GateEntry& one) { return !passes(one.outcome); });
+  const bool all_pass = findings.status == exit_pass ||
+                        (findings.status == exit_inconclusive && findings.inconclusive_passes);
+  if (!all_pass && !is_told)
     document.entries.push_back(
         bare_entry(campaign, "the campaign", GateOutcomeKind::not_compared, document.verdict));
 }
