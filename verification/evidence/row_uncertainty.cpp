@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 #include "verification/case/metric_table.hpp"
 #include "verification/case/quantities.hpp"
@@ -114,6 +115,11 @@ constexpr LeftBeside left_beside_theory[] = {
     {finer, "more modes", 2 * reliable_safety_factor},  // error of first order, at twice the step
     {nonlinear, "the third order", 1}};
 
+bool leaves(const RunDefinition& run, std::string_view suffix) {
+  const auto& all = solver_kind(run).leaves;
+  return std::any_of(all.begin(), all.end(), [&](const char* one) { return one && one == suffix; });
+}
+
 Contribution of_theory(const CaseRuns& runs, const RunDefinition& reference, const GateRow& row,
                        const RowMeasures& measures) {
   if (row.kind == RowKind::regression) return as_when_measured("against the same theory");
@@ -121,8 +127,7 @@ Contribution of_theory(const CaseRuns& runs, const RunDefinition& reference, con
   double squares = 0;
   std::vector<std::string> counted;
   for (const auto& [suffix, text, factor] : left_beside_theory) {
-    const auto& leaves = solver_kind(reference).leaves;
-    if (std::find(leaves.begin(), leaves.end(), suffix) == leaves.end()) continue;
+    if (!leaves(reference, suffix)) continue;
     if (!has_series(runs, reference.name, row.quantity + suffix))
       return Contribution::unknown(
           fmt::format("{} of {} that {} leaves is unknown: the series {}{} "

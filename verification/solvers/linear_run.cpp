@@ -21,6 +21,7 @@ namespace {
 
 // Beside twice the modes: a place may be a node of the next one.
 constexpr int fewest_more_modes = 4;
+constexpr int many_of_a_section = 20;
 
 std::unique_ptr<LinearFlow> linear_flow(const LinearRun& linear, const CaseDefinition& definition) {
   return is_rectangle(definition.tank) ? linear_flow_in_rectangle(linear, definition)
@@ -99,15 +100,29 @@ double per_elevation(const TimeSeries& series, double density, double gravity,
   return of_surface > 0 ? scatter(series.value) / of_surface : 0;
 }
 
+// Each series with twice the modes. Many modes of a section are dear: there half of them tell it,
+// for a rest that falls with the first power of their number.
+std::vector<TimeSeries> with_more_modes(const LinearRun& linear, const CaseDefinition& definition,
+                                        const std::vector<TimeSeries>& own) {
+  const bool doubles = is_rectangle(definition.tank) || linear.modes < many_of_a_section;
+  LinearRun other = linear;
+  other.modes = doubles ? std::max(2 * linear.modes, linear.modes + fewest_more_modes)
+                        : std::max(1, linear.modes / 2);
+  std::vector<TimeSeries> more = series_of(*linear_flow(other, definition), definition).all;
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    more[i].name += finer;
+    if (doubles) continue;
+    const std::vector<double> last = minus(own[i].value, more[i].value);
+    for (std::size_t n = 0; n < last.size(); ++n) more[i].value[n] = own[i].value[n] + last[n] / 2;
+  }
+  return more;
+}
+
 // Adds each series with more modes, and with what linear theory leaves out where that is finite.
 void add_left_out(const LinearRun& linear, const CaseDefinition& definition, const LinearFlow& flow,
                   RunResult& result, const LinearSeries& own) {
-  LinearRun more = linear;
-  more.modes = std::max(2 * linear.modes, linear.modes + fewest_more_modes);
-  for (TimeSeries& one : series_of(*linear_flow(more, definition), definition).all) {
-    one.name += finer;
+  for (TimeSeries& one : with_more_modes(linear, definition, own.all))
     result.series.push_back(std::move(one));
-  }
   const Extent surface = still_surface(definition);
   std::vector<double> places = own.x;
   for (double& x : places)
@@ -119,12 +134,10 @@ void add_left_out(const LinearRun& linear, const CaseDefinition& definition, con
   for (std::size_t i = 0; i < own.all.size(); ++i) {
     const bool is_force = std::isnan(own.x[i]);
     const std::vector<double> rise = is_force ? minus(beyond[i], beyond.back()) : beyond[i];
-    const double scale = per_elevation(own.all[i], definition.liquid.density, definition.gravity,
-                                       is_force ? minus(right, left) : right);
-    TimeSeries moved = own.all[i];
-    moved.name += nonlinear;
-    for (std::size_t n = 0; n < rise.size(); ++n) moved.value[n] += scale * rise[n];
-    if (std::isfinite(largest_magnitude(moved.value))) result.series.push_back(std::move(moved));
+    add_moved(own.all[i], rise,
+              per_elevation(own.all[i], definition.liquid.density, definition.gravity,
+                            is_force ? minus(right, left) : right),
+              result);
   }
 }
 

@@ -18,13 +18,9 @@ void add_beyond_linear(const CaseDefinition& definition, const std::vector<doubl
                        RunResult& result) {
   std::vector<double> x;
   for (const GaugeDefinition& gauge : definition.gauges) x.push_back(gauge.x);
-  const auto beyond = beyond_linear(definition, at_right, x);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    TimeSeries moved = result.series[i];
-    moved.name += nonlinear;
-    for (std::size_t n = 0; n < moved.value.size(); ++n) moved.value[n] += beyond[i][n];
-    if (std::isfinite(largest_magnitude(moved.value))) result.series.push_back(std::move(moved));
-  }
+  const auto beyond = beyond_linear(definition, at_right, x, definition.liquid.kinematic_viscosity);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    add_moved(TimeSeries(result.series[i]), beyond[i], 1, result);
 }
 
 }  // namespace

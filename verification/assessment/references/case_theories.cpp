@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -10,23 +12,18 @@
 namespace slosh {
 namespace {
 
-bool leaves(const RunDefinition& run, std::string_view suffix) {
-  const auto& all = solver_kind(run).leaves;
-  return std::find(all.begin(), all.end(), suffix) != all.end();
-}
-
 std::string uncertainty_text(const CaseDefinition& definition, const RunDefinition& run,
                              const RunResult& result) {
-  if (leaves(run, coarser))
+  if (std::string_view(solver_kind(run).leaves.front()) == coarser)
     return fmt::format(
         "the series with {} at their end hold half the 95 % interval at each sample: the "
         "difference "
         "from the same flow with fewer nodes",
         half_width_suffix);
   return fmt::format(
-      "the series with {} at their end hold an estimate of what linear theory leaves out, to the "
-      "third order; the second adds about k A / 2 = {:.2g} of the wave to a crest",
-      nonlinear, predicted_steepness(definition, result) / 2);
+      "what linear equations leave out, which gate rows count by an estimate of the third order; "
+      "the second adds about k A / 2 = {:.2g} of the wave to a crest",
+      predicted_steepness(definition, result) / 2);
 }
 
 TheoryRemarks remarks_on(const CaseDefinition& definition, const RunDefinition& run,
@@ -39,11 +36,9 @@ TheoryRemarks remarks_on(const CaseDefinition& definition, const RunDefinition& 
 void add_series(const CaseDefinition& definition, const CaseRuns& runs, const RunDefinition& run,
                 RunResult& joint) {
   for (const TimeSeries& series : runs.results.at(run.name).series) {
-    if (series.name.ends_with(coarser) || series.name.ends_with(finer)) continue;
-    const std::string name =
-        series.name.ends_with(nonlinear)
-            ? series.name.substr(0, series.name.rfind(nonlinear)) + "/" + run.name + nonlinear
-            : series.name + "/" + run.name;
+    const auto is_left_beside = [&](const char* suffix) { return series.name.ends_with(suffix); };
+    if (is_left_beside(coarser) || is_left_beside(finer) || is_left_beside(nonlinear)) continue;
+    const std::string name = series.name + "/" + run.name;
     joint.series.push_back({name, series.unit, series.time, series.value});
     std::vector<double> widths = numerical_half_widths(definition, runs, run.name, series.name);
     if (!widths.empty())

@@ -5,9 +5,11 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "reference/third_order_waves.hpp"
 #include "verification/case/motion.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/solvers/reference_tank.hpp"
 #include "verification/solvers/theory/natural_frequencies.hpp"
@@ -51,7 +53,6 @@ reference::ThirdOrderWaves waves_of(const CaseDefinition& definition, double sca
   if (definition.initial_wave)
     waves.initial_wave = {definition.initial_wave->mode,
                           scale * definition.initial_wave->amplitude};
-  waves.kinematic_viscosity = definition.liquid.kinematic_viscosity;
   return waves;
 }
 
@@ -77,7 +78,8 @@ double share_of(const std::vector<double>& whole, const std::vector<double>& mod
 
 std::vector<std::vector<double>> beyond_linear(const CaseDefinition& definition,
                                                const std::vector<double>& at_right,
-                                               const std::vector<double>& x) {
+                                               const std::vector<double>& x,
+                                               double kinematic_viscosity) {
   const Extent surface = still_surface(definition);
   const double half = surface.length() / 2, middle = surface.left + half;
   const std::vector<double> samples = sample_times(definition);
@@ -88,7 +90,9 @@ std::vector<std::vector<double>> beyond_linear(const CaseDefinition& definition,
   std::vector<double> times;
   for (int i = 0; (i - 1) * interval < definition.duration; ++i) times.push_back(i * interval);
   const auto solved = [&](double scale, const std::vector<double>& from_middle) {
-    return third_order_waves(waves_of(definition, scale), from_middle, times);
+    reference::ThirdOrderWaves waves = waves_of(definition, scale);
+    waves.kinematic_viscosity = kinematic_viscosity;
+    return third_order_waves(waves, from_middle, times);
   };
   const double scale = share_of(at_right, at_times(solved(1, {half}).linear[0], interval, samples));
   std::vector<double> places;
@@ -97,6 +101,15 @@ std::vector<std::vector<double>> beyond_linear(const CaseDefinition& definition,
   for (const std::vector<double>& one : solved(scale, places).beyond)
     found.push_back(at_times(one, interval, samples));
   return found;
+}
+
+void add_moved(TimeSeries series, const std::vector<double>& rise, double scale,
+               RunResult& result) {
+  series.name += nonlinear;
+  for (std::size_t i = 0; i < series.value.size(); ++i) series.value[i] += scale * rise[i];
+  if (std::all_of(series.value.begin(), series.value.end(),
+                  [](double value) { return std::isfinite(value); }))
+    result.series.push_back(std::move(series));
 }
 
 }  // namespace slosh

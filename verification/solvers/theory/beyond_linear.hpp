@@ -11,14 +11,21 @@
 #include <vector>
 
 #include "verification/case/case_definition.hpp"
+#include "verification/results/result_file.hpp"
 
 namespace slosh {
 
 // Returns eta - eta_linear [place][time] at the case's sample times at places x [m] from the tank's
 // left end. `at_right` is the elevation of linear theory at the right end of the still surface
-// [m]. The estimate is not finite where the waves are too steep for it.
+// [m]; with a viscosity [m2/s] the waves decay. The estimate is not finite where the waves are too
+// steep for it.
 std::vector<std::vector<double>> beyond_linear(const CaseDefinition& definition,
                                                const std::vector<double>& at_right,
-                                               const std::vector<double>& x);
+                                               const std::vector<double>& x,
+                                               double kinematic_viscosity = 0);
+
+// Adds the series moved by scale times `rise`, with the suffix `nonlinear`, to the result where all
+// of it is finite.
+void add_moved(TimeSeries series, const std::vector<double>& rise, double scale, RunResult& result);
 
 }  // namespace slosh
