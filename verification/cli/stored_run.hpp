@@ -22,7 +22,7 @@ void keep_problem(const ResultStore& store, const std::string& key,
 // that cannot be written is only reported on standard error: the result itself is already written.
 void keep_copy(const ResultStore& store, const std::string& key, const RunResult& result);
 
-// Reads a result that may be another's, with texts that can be shown (make_legible()).
+// Reads a result that may be another's, with names that can be shown (legible_text.hpp).
 RunResult named_result(const std::filesystem::path& file);
 
 // Adds the cost of `compute` to the timings of the key. Skips a run without a result, and one that

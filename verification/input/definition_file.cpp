@@ -9,7 +9,7 @@
 #include <system_error>
 #include <vector>
 
-#include "verification/files/plain_file.hpp"
+#include "verification/files/foreign/plain_file.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 

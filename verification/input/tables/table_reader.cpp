@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "verification/files/plain_file.hpp"
+#include "verification/files/foreign/plain_file.hpp"
 
 namespace slosh {
 namespace {
@@ -49,7 +49,7 @@ std::string with_code_points(std::string_view text) {
 }  // namespace
 
 TableReader::TableReader(const std::filesystem::path& file) : file_(file) {
-  if (std::filesystem::exists(file) && !is_plain_file(file))
+  if (std::filesystem::exists(file) && !std::filesystem::is_directory(file) && !is_plain_file(file))
     refuse("file", file.string(), "a file of a disk");
   stream_.open(file);
   next();
