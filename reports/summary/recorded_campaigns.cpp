@@ -14,7 +14,7 @@
 #include "reports/summary/campaign_report.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
-#include "verification/files/json_text.hpp"
+#include "verification/files/foreign/json_text.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/results/provenance.hpp"
 

@@ -3,7 +3,8 @@
 #include <fstream>
 #include <string_view>
 
-#include "verification/files/plain_file.hpp"
+#include "reports/model/legible_text.hpp"
+#include "verification/files/foreign/plain_file.hpp"
 #include "verification/results/result_file.hpp"
 
 namespace slosh {
@@ -39,6 +40,13 @@ Complaint read_complaint(const std::filesystem::path& log) {
   return found;
 }
 
+// A program's words command no terminal and break no document.
+RunFailure legible(const RunFailure& failure) {
+  using reports::legible;
+  return {legible(failure.kind), legible(failure.message), legible(failure.details),
+          legible(failure.log)};
+}
+
 std::string kind_of(JobPhase phase) {
   switch (phase) {
     case JobPhase::signalled:
@@ -66,7 +74,7 @@ RunFailure failure_of(const JobState& state) {
 }  // namespace
 
 std::string first_error_line(const std::filesystem::path& log) {
-  return read_complaint(log).message;
+  return reports::legible(read_complaint(log).message);
 }
 
 RunStatus status_without_result(const JobState& state, const std::filesystem::path& failure_file) {
@@ -82,7 +90,8 @@ RunStatus status_without_result(const JobState& state, const std::filesystem::pa
     } catch (const ResultError&) {  // the failure is reported even where the disk is full
     }
   }
-  return {RunState::failed, description(state) + ": " + failure->message, failure};
+  const RunFailure shown = legible(*failure);
+  return {RunState::failed, description(state) + ": " + shown.message, shown};
 }
 
 }  // namespace slosh

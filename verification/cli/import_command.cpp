@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 
+#include "reports/model/legible_text.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/content_hash.hpp"
@@ -144,7 +145,7 @@ int import_files(const ImportOptions& options) {
                              series.time.back(), series.unit, series.value.front());
     if (const auto seams = result.provenance.find(seams_of + series.name);
         seams != result.provenance.end())
-      std::cout << "  " << seams->second << "\n";
+      std::cout << "  " << reports::legible(seams->second) << "\n";
   }
   std::cout << "result: " << options.output.string() << "\n";
   return exit_pass;

@@ -4,7 +4,7 @@
 
 #include <iostream>
 
-#include "verification/results/provenance.hpp"
+#include "reports/model/legible_text.hpp"
 #include "verification/results/timings.hpp"
 #include "verification/runs/run_case.hpp"
 
@@ -92,8 +92,14 @@ void keep_failure(const ResultStore& store, const std::string& key, const RunFai
 }
 
 RunResult named_result(const fs::path& file) {
+  using reports::legible;
   RunResult result = read_result(file);
-  make_legible(result);
+  for (std::string* text : {&result.case_name, &result.run_name, &result.solver})
+    *text = legible(*text);
+  for (TimeSeries& series : result.series) {
+    series.name = legible(series.name);
+    series.unit = legible(series.unit);
+  }
   return result;
 }
 

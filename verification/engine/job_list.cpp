@@ -9,7 +9,7 @@
 
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
-#include "verification/files/json_text.hpp"
+#include "verification/files/foreign/json_text.hpp"
 
 namespace slosh {
 namespace {

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "verification/files/plain_file.hpp"
+#include "verification/files/foreign/plain_file.hpp"
 
 namespace slosh {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
-#include "verification/files/guarded_reading.hpp"
+#include "verification/files/foreign/guarded_reading.hpp"
+#include "verification/files/foreign/self_contained.hpp"
 #include "verification/files/hdf5_handles.hpp"
 #include "verification/files/result_error.hpp"
-#include "verification/files/self_contained.hpp"
 
 namespace slosh {
 namespace {

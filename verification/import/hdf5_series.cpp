@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <string_view>
 
-#include "verification/files/guarded_reading.hpp"
+#include "verification/files/foreign/guarded_reading.hpp"
+#include "verification/files/foreign/plain_file.hpp"
+#include "verification/files/foreign/self_contained.hpp"
 #include "verification/files/hdf5_handles.hpp"
-#include "verification/files/plain_file.hpp"
-#include "verification/files/self_contained.hpp"
 #include "verification/import/file_formats.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"

@@ -9,8 +9,8 @@
 #include <system_error>
 #include <vector>
 
+#include "verification/files/foreign/plain_file.hpp"
 #include "verification/files/input_files.hpp"
-#include "verification/files/plain_file.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 

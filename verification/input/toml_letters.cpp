@@ -32,9 +32,9 @@ TextPlace place_of(std::string_view text, std::size_t position) {
           1 + static_cast<int>(position - line_begin)};
 }
 
-}  // namespace
-
-std::optional<TextPlace> letter_outside_strings(std::string_view text) {
+// The first character outside strings and comments for which `is_wrong` holds.
+template <class Character>
+std::optional<TextPlace> first_outside_strings(std::string_view text, Character is_wrong) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   std::size_t i = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
   while (i < text.size()) {
@@ -42,13 +42,29 @@ std::optional<TextPlace> letter_outside_strings(std::string_view text) {
       i = behind_string(text, i);
     } else if (text[i] == '#') {
       i = std::min(text.find('\n', i), text.size());
-    } else if (static_cast<unsigned char>(text[i]) > 0x7F) {
+    } else if (is_wrong(text[i])) {
       return place_of(text, i);
     } else {
       ++i;
     }
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<TextPlace> letter_outside_strings(std::string_view text) {
+  return first_outside_strings(text, [](char c) { return static_cast<unsigned char>(c) > 0x7F; });
+}
+
+std::optional<TextPlace> end_of_deep_key(std::string_view text) {
+  constexpr int deepest = 100;
+  int dots = 0;
+  return first_outside_strings(text, [&](char c) {
+    constexpr std::string_view between_keys = "=,[]{}\n";
+    if (between_keys.find(c) != between_keys.npos) dots = 0;
+    return c == '.' && ++dots > deepest;
+  });
 }
 
 }  // namespace slosh

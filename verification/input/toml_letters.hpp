@@ -1,6 +1,6 @@
-// Finds characters beyond ASCII outside the strings and comments of a TOML text. TOML 1.0 does not
-// allow them, and toml++ 3.3 has undefined behaviour for some of them; they are refused before the
-// library sees the text.
+// Finds what is refused before toml++ sees the text: characters beyond ASCII outside strings and
+// comments, which TOML 1.0 does not allow and for some of which toml++ 3.3 has undefined behaviour,
+// and keys such as a.a.a, each of whose parts is a table in the one before, by recursion.
 #pragma once
 
 #include <optional>
@@ -15,5 +15,8 @@ struct TextPlace {
 // Returns the first such character, or nullopt. A byte order mark at the very beginning is allowed.
 // Text after a string that is never closed counts as part of the string; the library reports it.
 std::optional<TextPlace> letter_outside_strings(std::string_view text);
+
+// Returns where a key has its 101st dot, or nullopt.
+std::optional<TextPlace> end_of_deep_key(std::string_view text);
 
 }  // namespace slosh

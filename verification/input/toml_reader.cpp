@@ -138,6 +138,9 @@ toml::table parsed(std::string_view text, const std::filesystem::path& file) {
         "{}:{}:{}: not TOML: a letter beyond ASCII; expected such letters only in strings and "
         "comments",
         file.string(), letter->line, letter->column));
+  if (const auto key = end_of_deep_key(text))
+    throw CaseFileError(fmt::format("{}:{}:{}: a key nested too deep: expected at most 100 dots",
+                                    file.string(), key->line, key->column));
   try {
     toml::table table = toml::parse(text, file.string());
     require_printable(table, file.string());

@@ -7,8 +7,6 @@
 #include <ctime>
 #include <fstream>
 
-#include "reports/model/legible_text.hpp"
-
 namespace slosh {
 namespace {
 
@@ -35,18 +33,6 @@ std::map<std::string, std::string> provenance(const std::string& command) {
           {"processor", processor()},
           {"date_utc", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
           {"command", command}};
-}
-
-void make_legible(RunResult& result) {
-  using reports::legible;
-  for (std::string* text : {&result.case_name, &result.run_name, &result.solver})
-    *text = legible(*text);
-  for (auto& [name, text] : result.provenance) text = legible(text);
-  for (std::string& term : result.active_terms) term = legible(term);
-  for (TimeSeries& series : result.series) {
-    series.name = legible(series.name);
-    series.unit = legible(series.unit);
-  }
 }
 
 CostMeter::CostMeter() : begin_(std::chrono::steady_clock::now()), at_begin_(so_far()) {}

@@ -13,10 +13,6 @@ namespace slosh {
 // Returns slosh_version, compiler, compiler_flags, processor, date_utc (ISO 8601, now) and command.
 std::map<std::string, std::string> provenance(const std::string& command);
 
-// Makes the texts of a result that others wrote legible (reports/model/legible_text.hpp): what a
-// program says of itself, or what a file holds that a user names.
-void make_legible(RunResult& result);
-
 // Measures the cost of this process and of the children that it waited for, by the operating
 // system's account (getrusage(2)). Times count from the meter's construction. The peak memory is
 // the process's own since it began, or that of its largest child.

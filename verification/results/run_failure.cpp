@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "reports/model/legible_text.hpp"
 #include "verification/files/sealed_json.hpp"
 #include "verification/results/result_file.hpp"
 
@@ -16,17 +15,9 @@ std::string text_of(const RunFailure& failure) {
          (failure.details.empty() ? "" : "\n" + failure.details);
 }
 
-// A program's words are no commands to the terminal.
-RunFailure legible(const RunFailure& failure) {
-  using reports::legible;
-  return {legible(failure.kind), legible(failure.message), legible(failure.details),
-          legible(failure.log)};
-}
-
 }  // namespace
 
-SolverError::SolverError(const RunFailure& why)
-    : std::runtime_error(text_of(legible(why))), failure(legible(why)) {}
+SolverError::SolverError(const RunFailure& why) : std::runtime_error(text_of(why)), failure(why) {}
 
 void write_failure(const RunFailure& failure, const std::filesystem::path& file) {
   write_sealed_json({{"format", failure_format},
@@ -40,7 +31,7 @@ void write_failure(const RunFailure& failure, const std::filesystem::path& file)
 std::optional<RunFailure> read_failure(const std::filesystem::path& file) try {
   if (!std::filesystem::exists(std::filesystem::symlink_status(file))) return std::nullopt;
   const nlohmann::json body = read_sealed_json(failure_format, file);
-  return legible({body.at("kind"), body.at("message"), body.at("details"), body.at("log")});
+  return RunFailure{body.at("kind"), body.at("message"), body.at("details"), body.at("log")};
 } catch (const ResultError& error) {
   return RunFailure{"error", error.what(), "", ""};
 } catch (const nlohmann::json::exception& error) {

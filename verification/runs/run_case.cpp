@@ -98,7 +98,6 @@ RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
   result.solver = solver_name(run);
   result.case_text = definition.text;
   result.key = settings.key;
-  make_legible(result);
   result.provenance.merge(provenance(settings.command));
   if (const std::string drawn = drawn_inputs_text(run, definition.motion); !drawn.empty())
     result.provenance["drawn_inputs"] = drawn;

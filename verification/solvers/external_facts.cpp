@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "verification/files/content_hash.hpp"
-#include "verification/files/json_text.hpp"
+#include "verification/files/foreign/json_text.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "verification/files/content_hash.hpp"
-#include "verification/files/plain_file.hpp"
+#include "verification/files/foreign/plain_file.hpp"
 #include "verification/import/import_series.hpp"
 #include "verification/input/tables/series_files.hpp"
 #include "verification/input/tables/table_reader.hpp"

@@ -168,8 +168,15 @@ TEST_F(Intruders, NestNoValuesTooDeep) {
     EXPECT_EQ(ended.status, 3);
     EXPECT_TRUE(holds(ended.err, "nested too deep"));
   }
-  write("small.toml", with(small_case, "tags = []", "tags = " + deep));
-  EXPECT_EQ(quick({"check", "./small.toml"}).status, 2);
+  std::string key = "a";
+  for (int i = 0; i < 200'000; ++i) key += i % 2 == 0 ? ".a" : ". \"b\"";
+  for (const std::string& text :
+       {with(small_case, "tags = []", "tags = " + deep), small_case + key + " = 1\n",
+        small_case + "[" + key + "]\n", small_case + "[[" + key + "]]\n",
+        small_case + "[other]\nx = { " + key + " = 1 }\n"}) {
+    write("small.toml", text);
+    EXPECT_EQ(quick({"check", "./small.toml"}).status, 2) << text.substr(text.size() - 100);
+  }
   write_campaign(small_case);
   write("ledger", deep + "\n");
   write("ledger.head", deep);

@@ -1,6 +1,6 @@
 // What a file does to its reader ends the reader's process apart, within its limits, and not this
 // one.
-#include "verification/files/guarded_reading.hpp"
+#include "verification/files/foreign/guarded_reading.hpp"
 
 #include <gtest/gtest.h>
 #include <signal.h>

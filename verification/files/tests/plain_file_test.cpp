@@ -1,5 +1,5 @@
 // Nothing waits at a pipe, reads a device or follows a link in the place of a lock or a log.
-#include "verification/files/plain_file.hpp"
+#include "verification/files/foreign/plain_file.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include "verification/files/child_process.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/file_lock.hpp"
-#include "verification/files/json_text.hpp"
+#include "verification/files/foreign/json_text.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::plain_file_test {

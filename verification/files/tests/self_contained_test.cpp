@@ -1,6 +1,6 @@
 // A file of HDF5 that leads into another file is refused before a value is read; one that only uses
 // what HDF5 offers within a file is not.
-#include "verification/files/self_contained.hpp"
+#include "verification/files/foreign/self_contained.hpp"
 
 #include <gtest/gtest.h>
 

@@ -34,7 +34,7 @@ TEST(Hdf5Damage, CrashesNoImport) {
                             .column = "value",
                             .time_column = "time"};
   const std::string sound = sound_file();
-  int taken = 0, refused = 0;
+  int taken = 0, refused = 0, ended = 0;
   for (std::size_t i = 0; i < 400; ++i) {
     std::string bytes = sound;
     // What describes the data comes first.
@@ -46,6 +46,7 @@ TEST(Hdf5Damage, CrashesNoImport) {
       ++taken;
     } catch (const CaseFileError& error) {
       ++refused;
+      ended += std::string(error.what()).find(": reading it ") != std::string::npos;
       EXPECT_TRUE(std::string(error.what()).starts_with(source.file.string())) << error.what();
     } catch (const ResultError&) {
       ++refused;
@@ -53,6 +54,7 @@ TEST(Hdf5Damage, CrashesNoImport) {
   }
   EXPECT_GT(taken, 20);
   EXPECT_GT(refused, 20);
+  RecordProperty("ended", ended);  // by a crash or a limit; their number is that of HDF5's version
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "verification/files/foreign/plain_file.hpp"
 #include "verification/files/input_files.hpp"
-#include "verification/files/plain_file.hpp"
 
 namespace slosh {
 namespace {
@@ -50,7 +50,7 @@ std::string with_code_points(std::string_view text) {
 }  // namespace
 
 TableReader::TableReader(const std::filesystem::path& file) : file_(file) {
-  if (std::filesystem::exists(file) && !is_plain_file(file))
+  if (std::filesystem::exists(file) && !std::filesystem::is_directory(file) && !is_plain_file(file))
     refuse("file", file.string(), "a file of a disk");
   protect_input(file);
   stream_.open(file);

@@ -15,7 +15,8 @@ namespace slosh {
 class TableReader {
  public:
   // Starts at the first line, which is empty if the file is empty or cannot be read. Throws
-  // CaseFileError for a text in UTF-16 and for what is no plain file (files/plain_file.hpp).
+  // CaseFileError for a text in UTF-16 and for what is no plain file
+  // (files/foreign/plain_file.hpp).
   explicit TableReader(const std::filesystem::path& file);
 
   // Goes to the next line. Returns false at the end, where the line is empty.

@@ -40,5 +40,26 @@ TEST(TomlLetters, AreRefusedByTheReaderWithTheirPlace) {
   }
 }
 
+TEST(TomlLetters, AreTooManyDotsInAKeyAlone) {
+  const auto dotted = [](int dots) {
+    std::string key = "a";
+    for (int i = 0; i < dots; ++i) key += i % 3 == 0 ? " . 'b.c'" : ".a";
+    return key;
+  };
+  for (const std::string& text : {dotted(100) + " = 1", "[" + dotted(100) + "]\n" + dotted(100)})
+    EXPECT_FALSE(end_of_deep_key(text));
+  for (const std::string& text :
+       {dotted(101) + " = 1", "[" + dotted(101) + "]", "a = {b = 1, " + dotted(101) + " = 2}"})
+    EXPECT_TRUE(end_of_deep_key(text));
+  std::string numbers = "a = [", words = "a = \"", comment = "# ";
+  for (int i = 0; i < 1000; ++i) {
+    numbers += "0.5, ";
+    words += "a.";
+    comment += ".";
+  }
+  for (const std::string& text : {numbers + "]", words + "\"", comment + "\na = 1"})
+    EXPECT_FALSE(end_of_deep_key(text));
+}
+
 }  // namespace
 }  // namespace slosh::toml_letters_test

@@ -1,4 +1,4 @@
-#include "verification/files/self_contained.hpp"
+#include "verification/files/foreign/self_contained.hpp"
 
 #include <fmt/format.h>
 

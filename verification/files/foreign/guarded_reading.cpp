@@ -1,4 +1,4 @@
-#include "verification/files/guarded_reading.hpp"
+#include "verification/files/foreign/guarded_reading.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -44,11 +44,11 @@ void limit(int resource, rlim_t most) {
   ::setrlimit(static_cast<__rlimit_resource_t>(resource), &limits);
 }
 
-// What a signal to the process group, a crash or the end of this process means for the child.
+// An interrupt is for this process: the child ends with it, or comes to its own end before.
 void become_reader(const Limits& limits, rlim_t memory) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGALRM, SIGSEGV, SIGBUS, SIGABRT})
-    ::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);
+  for (const int signal : {SIGXCPU, SIGALRM, SIGSEGV, SIGBUS, SIGABRT}) ::signal(signal, SIG_DFL);
   const int nowhere = ::open("/dev/null", O_WRONLY);
   ::dup2(nowhere, STDOUT_FILENO);
   ::dup2(nowhere, STDERR_FILENO);  // for the last words of the allocator
@@ -58,7 +58,8 @@ void become_reader(const Limits& limits, rlim_t memory) {
   ::alarm(static_cast<unsigned>(10 * limits.time));  // also where it waits
 }
 
-enum ChildEnd : int { has_read, has_refused, has_no_memory };
+// No status of a sanitizer or a shell.
+enum ChildEnd : int { has_read = 0, has_refused = 101, has_no_memory = 102 };
 
 [[noreturn]] void read_in_child(int pipe, const std::function<void()>& read) {
   ChildEnd end = has_read;
