@@ -6,6 +6,7 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/run_looks.hpp"
+#include "reports/wording/report_places.hpp"
 #include "verification/assessment/observed_order.hpp"
 #include "verification/series/interval_text.hpp"
 
@@ -98,8 +99,8 @@ std::vector<Figure> convergence_figures(const CaseAssessment& assessment) {
     if (!line) continue;
     Figure figure;
     const std::string what = family.measure.substr(0, family.measure.find(" ["));
-    figure.id =
-        fmt::format("{}-convergence-{}-{}", definition.name, family.name, id_part(family.measure));
+    figure.id = fmt::format("{}-convergence-{}-{}", case_id(definition.name), name_id(family.name),
+                            id_part(family.measure));
     figure.title = fmt::format("Convergence: {}, {}", family.name, what);
     figure.caption = fmt::format(
         "Magnitude of the {} against theory or a published record, over the particle spacing or "

@@ -4,6 +4,7 @@
 
 #include "reports/figures/figure_runs.hpp"
 #include "reports/figures/run_looks.hpp"
+#include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/evidence/case_runs.hpp"
 
@@ -27,7 +28,8 @@ reports::Figure earlier_figure(const CaseAssessment& assessment, const GateRow& 
   const ShownQuantity shown = shown_quantity(definition, row.quantity);
   const HistoryAxes axes = axes_with_units(definition, row.quantity);
   reports::Figure figure;
-  figure.id = fmt::format("{}-earlier-{}-{}", definition.name, row.candidate, id_of(row.quantity));
+  figure.id = fmt::format("{}-earlier-{}-{}", case_id(definition.name), name_id(row.candidate),
+                          id_of(row.quantity));
   figure.title = fmt::format("{}: {} now and on {}", shown.title, row.candidate, earlier.date);
   figure.caption = fmt::format(
       "The row \"{}\" does not hold now. With the result of {} it {}. The case and the settings of "

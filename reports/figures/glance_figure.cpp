@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reports/figures/figure_runs.hpp"
+#include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -84,7 +85,7 @@ std::optional<reports::Figure> glance_figure(const CaseAssessment& assessment,
   if (runs.empty()) return std::nullopt;
   const ShownQuantity shown = shown_quantity(definition, quantity);
   reports::Figure figure;
-  figure.id = definition.name + "-glance";
+  figure.id = case_id(definition.name) + "-glance";
   figure.title = definition.title + ": " + shown.title;
   std::vector<std::string> names;
   for (const std::string& run : runs) names.push_back(run_label(assessment, run));

@@ -10,6 +10,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
 #include "reports/figures/run_looks.hpp"
+#include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/case/motion.hpp"
@@ -57,7 +58,7 @@ Figure history(const CaseAssessment& assessment, const std::string& quantity,
   const ShownQuantity shown = shown_quantity(definition, quantity);
   const std::vector<std::string> runs = finest_runs(assessment, quantity);
   Figure figure;
-  figure.id = definition.name + "-" + id_of(quantity);
+  figure.id = case_id(definition.name) + "-" + id_of(quantity);
   figure.title = shown.title;
   figure.caption =
       axes.symbols +
@@ -95,7 +96,7 @@ bool has_budget(const RunResult& result) {
 Figure budget(const CaseAssessment& assessment, const std::string& run) {
   const CaseDefinition& definition = assessment.definition;
   Figure figure;
-  figure.id = definition.name + "-energy-" + run;
+  figure.id = case_id(definition.name) + "-energy-" + name_id(run);
   figure.title = "Energy budget of " + run;
   figure.caption =
       "Changes since the start, in the earth-fixed frame, per metre of width: kinetic + potential "
@@ -132,7 +133,7 @@ std::vector<Figure> motion_figures(const CaseAssessment& assessment) {
   const auto roll = roll_motion(definition);
   if (!roll) return {};
   Figure angle;
-  angle.id = definition.name + "-roll";
+  angle.id = case_id(definition.name) + "-roll";
   angle.title = "Roll of the tank";
   angle.caption = fmt::format(
       "Counter-clockwise about the point {:.3g} m from the left wall and {:.3g} m above the "
@@ -144,7 +145,7 @@ std::vector<Figure> motion_figures(const CaseAssessment& assessment) {
   angle.curves = {sampled(definition, "roll", roll->angle, 1 / radians_per_degree)};
   if (!definition.motion.surge) return {angle};
   Figure surge = angle;
-  surge.id = definition.name + "-surge";
+  surge.id = case_id(definition.name) + "-surge";
   surge.title = "Surge of the tank";
   surge.caption = "Displacement of the roll axis and the tank, as prescribed to every run.";
   surge.y_label = "surge [mm]";
@@ -156,7 +157,7 @@ std::vector<Figure> main_history(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   const std::string quantity = compared_quantities(definition).front();
   Figure figure = history(assessment, quantity, axes_with_units(definition, quantity));
-  figure.id = definition.name + "-history";
+  figure.id = case_id(definition.name) + "-history";
   if (figure.curves.empty()) return {};
   return {figure};
 }
@@ -179,7 +180,7 @@ std::vector<Figure> residual_figures(const CaseAssessment& assessment) {
   const std::string quantity = compared_quantities(definition).front();
   const ShownQuantity shown = shown_quantity(definition, quantity);
   Figure figure;
-  figure.id = definition.name + "-residual";
+  figure.id = case_id(definition.name) + "-residual";
   figure.title = "Residual against the reference";
   figure.caption = fmt::format(
       "The {}: candidate minus reference over the comparison window, for the finest run of each "

@@ -9,6 +9,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
 #include "reports/figures/run_looks.hpp"
+#include "reports/wording/report_places.hpp"
 #include "verification/assessment/across_runs/impact_samples.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"
@@ -67,7 +68,7 @@ Figure distributions(const CaseAssessment& assessment, const std::string& pressu
   const bool of_filtered = is_filtered(pressure);
   const bool is_only = impacts.times.size() == 1;
   Figure figure;
-  figure.id = fmt::format("{}{}-peaks{}", definition.name, of_filtered ? "-filtered" : "",
+  figure.id = fmt::format("{}{}-peaks{}", case_id(definition.name), of_filtered ? "-filtered" : "",
                           is_only ? "" : fmt::format("-{}", impact + 1));
   figure.title = fmt::format("Distribution of the peaks{}{}",
                              is_only ? "" : fmt::format(" of impact {}", impact + 1),

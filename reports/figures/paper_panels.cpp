@@ -15,6 +15,7 @@
 #include "reports/figures/figure_panels.hpp"
 #include "reports/figures/figure_runs.hpp"
 #include "reports/model/is_one_of.hpp"
+#include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/papers/claim_evidence.hpp"
@@ -170,7 +171,7 @@ void add_drawn(const CaseAssessment& assessment, const Paper& paper, const Paper
 
 void add_fields(const CaseAssessment& assessment, const std::vector<reports::Section>& written,
                 RedrawnFigure& redrawn) {
-  const std::string stem = assessment.definition.name + "-fields-";
+  const std::string stem = case_id(assessment.definition.name) + "-fields-";
   const std::size_t before = redrawn.anchors.size();
   for (const reports::Section& section : written)
     for (const reports::FieldFigure& field : section.fields)

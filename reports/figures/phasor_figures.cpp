@@ -13,6 +13,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
 #include "reports/figures/run_looks.hpp"
+#include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/gate/gate.hpp"
@@ -126,7 +127,7 @@ Figure phasor_figure(const CaseAssessment& assessment, const std::string& mode) 
     }
   if (runs.empty()) return {};
   figure.curves.insert(figure.curves.end(), outlines.begin(), outlines.end());
-  figure.id = definition.name + "-phasor-" + mode;
+  figure.id = case_id(definition.name) + "-phasor-" + mode;
   figure.title = "Amplitude and phase of the mode " + mode;
   figure.caption = fmt::format(
       "The {}: complex amplitude of the candidate over that of its reference, from the harmonic "

@@ -9,6 +9,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
 #include "reports/figures/run_looks.hpp"
+#include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/gate/gate.hpp"
@@ -100,10 +101,10 @@ std::vector<Figure> sliding_figures(const CaseAssessment& assessment) {
   const SlidingWindows sliding = windows_of(definition, modes.front());
   const std::vector<ToneRequest> tones = resolved_tones(modes, sliding.length);
   Figure ratio = frame(definition, tones, sliding), lag = ratio;
-  ratio.id = definition.name + "-sliding-amplitude";
+  ratio.id = case_id(definition.name) + "-sliding-amplitude";
   ratio.title = "Amplitude ratio over time";
   ratio.y_label = "amplitude over the reference's [1]";
-  lag.id = definition.name + "-sliding-lag";
+  lag.id = case_id(definition.name) + "-sliding-lag";
   lag.title = "Phase lag over time";
   lag.y_label = "phase lag [deg] (positive: late)";
   for (const Comparison* pair : shown_comparisons(assessment)) {

@@ -8,6 +8,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
 #include "reports/figures/run_looks.hpp"
+#include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
@@ -62,7 +63,7 @@ Figure spectrum_figure(const CaseAssessment& assessment, const std::string& quan
   const ShownQuantity shown = shown_quantity(definition, quantity);
   const bool is_main = quantity == compared_quantities(definition).front();
   Figure figure;
-  figure.id = definition.name + "-spectrum" + (is_main ? "" : "-" + id_of(quantity));
+  figure.id = case_id(definition.name) + "-spectrum" + (is_main ? "" : "-" + id_of(quantity));
   figure.title = "Spectrum of the " + shown.word +
                  (is_main ? "" : " at gauge " + quantity.substr(quantity.find('@') + 1));
   figure.x_label = "frequency [Hz]";

@@ -12,6 +12,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
 #include "reports/model/is_one_of.hpp"
+#include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/quantities.hpp"
@@ -155,7 +156,8 @@ std::vector<Figure> studies_of(const CaseAssessment& assessment, Studied studied
   for (const Study& runs : found) {
     const std::string scheme = family(*runs.front());
     Figure figure = study_figure(assessment, quantity, studied, runs);
-    figure.id = assessment.definition.name + (of_step ? "-time_step-" : "-spacing-") + scheme;
+    figure.id = case_id(assessment.definition.name) + (of_step ? "-time_step-" : "-spacing-") +
+                name_id(scheme);
     figure.title = (of_step ? "Time step: " : "Particle spacing: ") + scheme;
     if (of_scheme[scheme] > 1) {
       figure.id += fmt::format("-{}", ++numbers[scheme]);

@@ -7,6 +7,7 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/run_looks.hpp"
+#include "reports/wording/report_places.hpp"
 #include "verification/assessment/work_points.hpp"
 #include "verification/series/interval_text.hpp"
 
@@ -150,7 +151,7 @@ Figure figure_of(const CaseAssessment& assessment, const CostAxis& axis) {
   const std::vector<WorkFamily> families = shown_families(assessment);
   const std::vector<WorkFamily> references = reference_families(assessment);
   Figure figure;
-  figure.id = assessment.definition.name + axis.id;
+  figure.id = case_id(assessment.definition.name) + axis.id;
   figure.title = axis.title;
   figure.x_label = axis.x_label;
   figure.y_label = "normalised rms error [1]";

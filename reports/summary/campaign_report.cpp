@@ -70,7 +70,7 @@ std::vector<reports::Section> summary_sections(const std::vector<CaseAssessment>
   if (const VerdictMatrix matrix = verdict_matrix(shown_rows(cases)); !matrix.rows.empty())
     gate.tables.push_back(
         with_first_column_linked(matrix_table(matrix, "matrix", "Verdicts of the cases", "case"),
-                                 [](const std::string& name) { return name + "-gate"; }));
+                                 [](const std::string& name) { return case_id(name) + "-gate"; }));
   if (const VerdictMatrix matrix = verdict_matrix(shown_rows(problems)); !matrix.rows.empty())
     gate.tables.push_back(with_first_column_linked(
         matrix_table(matrix, "problem-matrix", "Verdicts of the problems", "problem"),

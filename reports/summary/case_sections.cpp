@@ -33,7 +33,8 @@ void add(std::optional<Table> table, Section& section) {
 
 Section gate_section(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  Section section = section_on(page_of_case(definition.name), definition.name + "-gate", "Gate");
+  Section section =
+      section_on(page_of_case(definition.name), case_id(definition.name) + "-gate", "Gate");
   if (definition.gate.empty())
     section.paragraphs.push_back("No gate row judges this case.");
   else
@@ -60,7 +61,8 @@ std::string case_paragraph(const CaseDefinition& definition) {
 
 Section results_section(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  Section section = section_on(page_of_case(definition.name), definition.name, "Case and runs");
+  Section section =
+      section_on(page_of_case(definition.name), case_id(definition.name), "Case and runs");
   section.paragraphs = {case_paragraph(definition)};
   for (const auto& [run, status] : assessment.runs.status)
     if (status.state == RunState::out_of_range)
@@ -88,11 +90,11 @@ Section tables_section(const CaseAssessment& assessment,
                        const CaseCoverage& coverage) {
   const CaseDefinition& definition = assessment.definition;
   Section section =
-      section_on(appendix_of_case(definition.name), definition.name + "-tables", "Tables");
+      section_on(appendix_of_case(definition.name), case_id(definition.name) + "-tables", "Tables");
   add(uncertainty_table(assessment), section);
   if (!definition.gate.empty())
     section.tables.push_back(sensitivity_table(assessment, sensitivity));
-  section.tables.push_back(coverage_table(definition.name + "-coverage", {coverage}));
+  section.tables.push_back(coverage_table(case_id(definition.name) + "-coverage", {coverage}));
   add(distance_table(assessment), section);
   add(refinement_table(assessment), section);
   add(rest_table(assessment), section);
@@ -120,12 +122,13 @@ std::vector<Section> case_sections(const CaseAssessment& assessment,
                                    const CaseCoverage& coverage) {
   const std::string& name = assessment.definition.name;
   std::vector<Section> sections;
-  Section summary = section_on(page_of_case(name), name + "-summary", "Summary");
+  Section summary = section_on(page_of_case(name), case_id(name) + "-summary", "Summary");
   summary.paragraphs = case_findings(assessment, coverage);
   if (!summary.paragraphs.empty()) sections.push_back(std::move(summary));
   sections.push_back(gate_section(assessment));
   sections.push_back(results_section(assessment));
-  Section further = section_on(appendix_of_case(name), name + "-figures", "Further figures");
+  Section further =
+      section_on(appendix_of_case(name), case_id(name) + "-figures", "Further figures");
   further.figures = appendix_figures(assessment);
   if (!further.figures.empty()) sections.push_back(std::move(further));
   sections.push_back(tables_section(assessment, sensitivity, coverage));

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "reports/wording/report_places.hpp"
+
 namespace slosh {
 namespace {
 
@@ -45,7 +47,7 @@ std::string unnoticed(const MutationTrials& trials) {
 reports::Table sensitivity_table(const CaseAssessment& assessment,
                                  const std::vector<RowSensitivity>& sensitivity) {
   reports::Table table{
-      assessment.definition.name + "-strength",
+      case_id(assessment.definition.name) + "-strength",
       "What each gate row can detect",
       "The row's candidate made wrong on purpose, as far as the row passes with it as it is: the "
       "smallest change from which on every greater one that was tried is detected, of the "

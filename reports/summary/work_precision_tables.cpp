@@ -10,6 +10,7 @@
 
 #include "reports/summary/report_sections.hpp"
 #include "reports/tables/case_tables.hpp"
+#include "reports/wording/report_places.hpp"
 #include "verification/assessment/across_runs/speed_ups.hpp"
 #include "verification/series/interval_text.hpp"
 
@@ -164,11 +165,11 @@ std::vector<Table> work_precision_tables(const CaseAssessment& assessment) {
   std::vector<Table> tables{cost_at_errors(assessment, families, time_column),
                             cost_at_errors(assessment, families, memory_column),
                             speed_table(families)};
-  tables[0].id = name + "-cost-to-reach";
+  tables[0].id = case_id(name) + "-cost-to-reach";
   tables[0].title = "Run time to reach an error [core-seconds]";
-  tables[1].id = name + "-memory-to-reach";
+  tables[1].id = case_id(name) + "-memory-to-reach";
   tables[1].title = "Memory to reach an error [MiB]";
-  tables[2].id = name + "-speed";
+  tables[2].id = case_id(name) + "-speed";
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
   return tables;
 }

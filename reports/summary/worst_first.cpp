@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "reports/summary/verdict_matrix.hpp"
+#include "reports/wording/report_places.hpp"
 #include "verification/assessment/error_over_tolerance.hpp"
 #include "verification/series/interval_text.hpp"
 
@@ -51,7 +52,7 @@ reports::Decision deciding_run(const std::vector<CaseAssessment>& cases,
   };
   for (const CaseAssessment& one : cases)
     for (const auto& [run, status] : one.runs.status)
-      take(one.definition.name + "/" + run, one.definition.name + "-gate", status);
+      take(one.definition.name + "/" + run, case_id(one.definition.name) + "-gate", status);
   for (const ProblemAssessment& one : problems)
     take(one.definition.name, "problem-" + one.definition.name, one.run.status);
   return found;

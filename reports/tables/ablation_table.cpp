@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "reports/tables/case_tables.hpp"
+#include "reports/wording/report_places.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -148,7 +149,7 @@ std::optional<reports::Table> ablation_table(const CaseAssessment& assessment) {
       std::any_of(runs.begin(), runs.end(), [](const AblationRun& one) { return one.comparison; });
   if (!any_changed || !any_compared) return std::nullopt;
   reports::Table table{
-      assessment.definition.name + "-choices",
+      case_id(assessment.definition.name) + "-choices",
       "Ablation: effect and cost of each change to a scheme",
       "The error of each SPH run against theory or a published record, and its cost. \"over "
       "unchanged\": ratio to the unchanged run of the same scheme and spacing. CPU time is user "

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "reports/tables/case_tables.hpp"
+#include "reports/wording/report_places.hpp"
 #include "verification/assessment/across_runs/solution_distances.hpp"
 #include "verification/assessment/observed_order.hpp"
 #include "verification/case/motion.hpp"
@@ -94,7 +95,7 @@ void add_scheme(std::span<const ErrorFamily> families, Table& table) {
 
 Table mode_table(const CaseAssessment& assessment) {
   Table table{
-      assessment.definition.name + "-modes",
+      case_id(assessment.definition.name) + "-modes",
       "Fitted modes",
       "Harmonic least squares over the comparison window. Forced and natural modes are fitted "
       "together; the frequency and the decay rate of natural modes are fitted too. ± is the 95 % "
@@ -116,7 +117,7 @@ Table mode_table(const CaseAssessment& assessment) {
 Table history_table(const CaseAssessment& assessment) {
   const bool oscillates = !fitted_modes(assessment.definition).empty();
   Table table{
-      assessment.definition.name + "-histories",
+      case_id(assessment.definition.name) + "-histories",
       "Time series compared",
       "Normalised rms: rms of the residual over the rms of the reference about its mean. The "
       "95 % interval comes from blocks of the window.",
@@ -154,7 +155,7 @@ std::optional<Table> distance_table(const CaseAssessment& assessment) {
   if (runs.size() < 3) return {};
   const auto odd = outlier(distances);
   Table table{
-      assessment.definition.name + "-closure",
+      case_id(assessment.definition.name) + "-closure",
       "Distances between solutions",
       fmt::format(
           "Distance between the time series of {} [%]: rms of their difference over the geometric "
@@ -184,7 +185,7 @@ std::optional<Table> order_table(const CaseAssessment& assessment) {
   const std::vector<ErrorFamily> families = scheme_error_families(assessment);
   if (families.empty()) return std::nullopt;
   Table table{
-      assessment.definition.name + "-orders",
+      case_id(assessment.definition.name) + "-orders",
       "Observed order of convergence",
       "Errors against theory or a published record at each particle spacing, the order between a "
       "spacing and the next coarser one, and the slope of the least-squares line through all. No "

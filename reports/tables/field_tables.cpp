@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "reports/tables/case_tables.hpp"
+#include "reports/wording/report_places.hpp"
 #include "verification/gate/field_metrics.hpp"
 
 namespace slosh {
@@ -59,7 +60,7 @@ Row field_row(const FieldComparison& compared, const CaseDefinition& definition)
 std::optional<Table> field_table(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   if (assessment.fields.empty()) return std::nullopt;
-  Table table{definition.name + "-pressure-fields",
+  Table table{case_id(definition.name) + "-pressure-fields",
               "Pressure fields against interFoam's",
               fields_caption(definition),
               {"run", "against"},

@@ -73,7 +73,7 @@ std::string reference_text(const GateRow& row) {
 Table gate_table(const CaseAssessment& assessment) {
   const std::string& name = assessment.definition.name;
   Table table{
-      name + "-gate",
+      case_id(name) + "-gate",
       "Gate rows",
       "A row does not pass where a value is NaN, a series ends early, or the reference is "
       "missing or out of its range. The reason for a limit is told once where the rows that "
@@ -97,7 +97,7 @@ std::optional<Table> ensemble_table(const CaseAssessment& assessment) {
   CaseEvidence known(assessment.definition, assessment.runs, &assessment.fitted);
   const GateEvidence evidence = known.gate_evidence();
   Table table{
-      assessment.definition.name + "-ensembles",
+      case_id(assessment.definition.name) + "-ensembles",
       "Ensembles",
       "Gate rows judged on ensembles of runs with perturbed initial states: the mean over all "
       "pairs of candidate and reference (of impacts the median over the candidates) with its 95 % "

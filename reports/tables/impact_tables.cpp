@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "reports/tables/case_tables.hpp"
+#include "reports/wording/report_places.hpp"
 #include "verification/assessment/across_runs/impact_samples.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -253,7 +254,7 @@ Row run_row(const CaseAssessment& assessment, const Repeats& repeats, const std:
 std::optional<Table> impact_table(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   if (!definition.impacts) return std::nullopt;
-  Table table{definition.name + "-impacts",
+  Table table{case_id(definition.name) + "-impacts",
               "Impacts",
               caption(definition),
               {"run", "pressure"},
@@ -291,7 +292,7 @@ std::optional<Table> repeat_table(const CaseAssessment& assessment) {
   const auto groups = repeated_runs(definition);
   if (!definition.impacts || groups.empty()) return std::nullopt;
   Table table{
-      definition.name + "-repeats",
+      case_id(definition.name) + "-repeats",
       "Distribution of peaks over repeated runs",
       "Impact peaks of runs that differ only in their random seed, by which their starts are "
       "disturbed or their inputs are drawn, and those of the experiment's repeats. The mean has "

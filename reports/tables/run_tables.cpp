@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "reports/tables/case_tables.hpp"
+#include "reports/wording/report_places.hpp"
 #include "verification/assessment/work_points.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -80,7 +81,7 @@ std::optional<Table> rest_table(const CaseAssessment& assessment) {
   const TimeWindow whole{0, definition.duration};
   const TimeWindow late{definition.window_begin, definition.window_end};
   Table table{
-      definition.name + "-rest",
+      case_id(definition.name) + "-rest",
       "Deviation from rest",
       fmt::format("Largest magnitudes over the whole run and from {} to {} s. Hydrostatic pressure "
                   "error: rms difference from the hydrostatic pressure, over the hydrostatic "
@@ -114,7 +115,7 @@ std::optional<Table> rest_table(const CaseAssessment& assessment) {
 
 Table cost_table(const CaseAssessment& assessment) {
   Table table{
-      assessment.definition.name + "-cost-table",
+      case_id(assessment.definition.name) + "-cost-table",
       "Cost of the runs",
       "Times and peak memory as the operating system reports them for the run's process and its "
       "children; those of a stored result are its own code's, with all its processor time as "
@@ -145,7 +146,7 @@ Table cost_table(const CaseAssessment& assessment) {
 
 std::optional<Table> failure_table(const std::string& name,
                                    const std::map<std::string, RunStatus>& runs) {
-  Table table{name + "-failures",
+  Table table{case_id(name) + "-failures",
               "Failures",
               "How each run failed, followed by the messages of its program.",
               {"run", "kind", "message", "log"},
@@ -162,7 +163,7 @@ std::optional<Table> failure_table(const std::string& name,
 }
 
 Table terms_table(const CaseAssessment& assessment) {
-  Table table{assessment.definition.name + "-terms",
+  Table table{case_id(assessment.definition.name) + "-terms",
               "Active terms and diagnostics",
               "The terms of the model that were active, and the diagnostics that the run recorded.",
               {"run", "active terms", "diagnostics"},
@@ -180,7 +181,7 @@ Table terms_table(const CaseAssessment& assessment) {
 }
 
 Table provenance_table(const CaseAssessment& assessment) {
-  Table table{assessment.definition.name + "-provenance",
+  Table table{case_id(assessment.definition.name) + "-provenance",
               "Provenance",
               "The full key is in the result file and in `results.json`.",
               {"run", "software", "date and processor", "key", "command to repeat it"},

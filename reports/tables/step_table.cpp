@@ -6,6 +6,7 @@
 #include <string>
 
 #include "reports/tables/case_tables.hpp"
+#include "reports/wording/report_places.hpp"
 #include "verification/assessment/work_points.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -55,7 +56,7 @@ std::vector<std::string> row_of(const std::string& run, const RunResult& result,
 }  // namespace
 
 std::optional<Table> step_table(const CaseAssessment& assessment) {
-  Table table{assessment.definition.name + "-step-table",
+  Table table{case_id(assessment.definition.name) + "-step-table",
               "Cost of a particle's step",
               "Core-seconds over the number of steps and of particles: those of the liquid, or "
               "cells, and those of the liquid and the walls. A code that tells the time of its "

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reports/tables/case_tables.hpp"
+#include "reports/wording/report_places.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/evidence/refinement.hpp"
@@ -82,7 +83,7 @@ std::string uncertainties_text(const ThreeWayOutcome& judged, const std::string&
 
 std::optional<Table> uncertainty_table(const CaseAssessment& assessment) {
   Table table{
-      assessment.definition.name + "-uncertainties",
+      case_id(assessment.definition.name) + "-uncertainties",
       "Uncertainties of the gate rows",
       "Half widths of 95 % intervals after ASME V&V 20. u_num: discretisation of the candidate; "
       "u_input: inputs taken from the experiment; u_reference: the reference; time series: finite "
@@ -108,7 +109,7 @@ std::optional<Table> uncertainty_table(const CaseAssessment& assessment) {
 
 std::optional<Table> refinement_table(const CaseAssessment& assessment) {
   Table table{
-      assessment.definition.name + "-refinement",
+      case_id(assessment.definition.name) + "-refinement",
       "Numerical uncertainty",
       "Metrics over runs that differ in one number only, coarse to fine. Behaviour, order, "
       "extrapolated value and 95 % uncertainty after Celik et al. 2008 and Eca & Hoekstra 2014. "
@@ -135,7 +136,7 @@ std::optional<Table> refinement_table(const CaseAssessment& assessment) {
 
 std::optional<Table> remedy_table(const CaseAssessment& assessment) {
   Table table{
-      assessment.definition.name + "-remedies",
+      case_id(assessment.definition.name) + "-remedies",
       "What would make inconclusive rows conclusive",
       "Half widths of 95 % intervals. The estimate assumes that the value itself stays the same; a "
       "finer or longer run also moves the value, so plan for at least this effort.",

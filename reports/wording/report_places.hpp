@@ -9,7 +9,15 @@ namespace slosh {
 inline constexpr const char* problems_page = "problems";
 inline constexpr const char* across_page = "across";  // results of several cases together
 
-// Returns the page of a case: the case's name, or "case-NAME" where another page has that name.
+// The id of a name of letters, digits, _ and -, as a part of longer ids, whose parts a single -
+// joins: a - in the name is doubled, so that the parts tell apart what "wave-appendix" names.
+std::string name_id(const std::string& name);
+
+// What the ids of a case's page, sections, tables and figures begin with: its name_id(), or
+// "case-NAME" for a name that something else in the report has.
+std::string case_id(const std::string& case_name);
+
+// Returns the page of a case.
 std::string page_of_case(const std::string& case_name);
 
 // Returns the page of a case's further figures and tables.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "reports/wording/report_places.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/series/low_pass_filter.hpp"
@@ -131,8 +132,8 @@ std::string measured_how(const ShownQuantity& shown, const CaseDefinition& defin
 std::string id_of(const std::string& quantity) {
   std::string id = quantity;
   if (is_filtered(id)) id = "filtered_" + id.substr(0, id.size() - filtered.size());
-  std::replace(id.begin(), id.end(), '@', '-');
-  return id;
+  const std::size_t at = id.find('@');
+  return at == id.npos ? id : id.substr(0, at) + "-" + name_id(id.substr(at + 1));
 }
 
 }  // namespace slosh

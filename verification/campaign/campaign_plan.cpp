@@ -6,6 +6,7 @@
 #include <iostream>
 #include <utility>
 
+#include "verification/campaign/job_failure.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/results/result_store.hpp"
 #include "verification/results/run_failure.hpp"
@@ -82,11 +83,12 @@ std::vector<PlannedRun> plan_runs(const std::vector<CaseDefinition>& cases,
 StandingResult standing_result(const std::string& key, const char* extension,
                                const CampaignSettings& settings) {
   const fs::path own = settings.store.file(key, extension);
-  if (const auto failure = read_failure(settings.store.file(key, failure_extension)))
-    return {own,
-            settings.solve
-                ? RunStatus{RunState::missing, own.string() + " failed when it was last tried"}
-                : RunStatus{RunState::failed, failure->kind + ": " + failure->message, failure}};
+  if (const auto told = read_failure(settings.store.file(key, failure_extension))) {
+    const RunFailure failure = legible(*told);
+    return {own, settings.solve
+                     ? RunStatus{RunState::missing, own.string() + " failed when it was last tried"}
+                     : RunStatus{RunState::failed, failure.kind + ": " + failure.message, failure}};
+  }
   if (fs::exists(own)) return {own, {RunState::finished, ""}};
   const auto other = settings.store.newest_file(key, extension);
   if (!other)

@@ -40,13 +40,6 @@ Complaint read_complaint(const std::filesystem::path& log) {
   return found;
 }
 
-// A program's words command no terminal and break no document.
-RunFailure legible(const RunFailure& failure) {
-  using reports::legible;
-  return {legible(failure.kind), legible(failure.message), legible(failure.details),
-          legible(failure.log)};
-}
-
 std::string kind_of(JobPhase phase) {
   switch (phase) {
     case JobPhase::signalled:
@@ -72,6 +65,12 @@ RunFailure failure_of(const JobState& state) {
 }
 
 }  // namespace
+
+RunFailure legible(const RunFailure& failure) {
+  using reports::legible;
+  return {legible(failure.kind), legible(failure.message), legible(failure.details),
+          legible(failure.log)};
+}
 
 std::string first_error_line(const std::filesystem::path& log) {
   return reports::legible(read_complaint(log).message);

@@ -10,6 +10,10 @@
 
 namespace slosh {
 
+// Returns the failure with texts that can be shown: a program's words command no terminal and break
+// no document.
+RunFailure legible(const RunFailure& failure);
+
 // Returns the first line of the tool's message in a job's log, or else the log's last line.
 std::string first_error_line(const std::filesystem::path& log);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <stdexcept>
 
@@ -11,7 +12,7 @@ namespace {
 
 constexpr const char* at_rest = "a candidate that does not move has -1";
 constexpr const char* of_any_size =
-    "nothing in a tank is as large; even a water hammer at 10 m/s has 1.5e7 Pa";
+    "no elevation exceeds the tank's size, and no pressure the water hammer of a fall through it";
 constexpr RequiredBound any_bound{BoundForm::any, ""},
     limit_alone{BoundForm::limit, "cheaper is better"},
     range_alone{BoundForm::range, "neither end of the repeats is the better one"},
@@ -28,59 +29,60 @@ constexpr std::array<MetricEntry, metric_count> metric_rows() {
   using below = WidestBound;
   return {
       {{Metric::amplitude_error, "amplitude_error", "1", "error of the amplitude", any_mode,
-        Fit::of_both, of_forced_mode, as_amplitude, any_bound, below(1, unit, at_rest)},
+        Fit::of_both, of_forced_mode, as_amplitude, any_bound, below(1, unit, at_rest, -1)},
        {Metric::phase_lag, "phase_lag", "deg", "phase lag", any_mode, Fit::of_both, of_forced_mode,
         as_phase, any_bound,
-        below(180, unit, "a lag is known but for whole periods, so none is larger")},
+        below(180, unit, "a lag is known but for whole periods, so none is larger", 180)},
        {Metric::frequency_error, "frequency_error", "1", "error of the frequency", natural_mode,
-        Fit::of_both, of_natural_modes, as_frequency, any_bound, below(1, unit, at_rest)},
+        Fit::of_both, of_natural_modes, as_frequency, any_bound, below(1, unit, at_rest, -1)},
        {Metric::decay_rate, "decay_rate", "1/s", "decay rate", natural_mode, Fit::of_candidate,
         of_natural_modes, as_decay, any_bound,
         below(100, unit, "a mode that is gone after 0.01 s cannot be seen")},
        {Metric::decay_error, "decay_error", "1", "error of the decay rate", natural_mode,
         Fit::of_both, nowhere, unpredicted, any_bound,
-        below(1, unit, "a candidate that does not decay has -1")},
+        below(1, unit, "a candidate that does not decay has -1", -1)},
        {Metric::normalised_rms, "normalised_rms", "1", "normalised rms of the difference",
         whole_window, Fit::none, of_oscillation, as_rms_residual, any_bound,
-        below(1, unit, "a candidate that stays at the reference's mean has 1")},
+        below(1, unit, "a candidate that stays at the reference's mean has 1", 1)},
        {Metric::maximum_residual, "maximum_residual", "", "largest difference", whole_window,
-        Fit::none, nowhere, as_largest_residual, any_bound, below(1e9, unit, of_any_size)},
+        Fit::none, nowhere, as_largest_residual, any_bound, below(1, tank, of_any_size)},
        {Metric::time_lag, "time_lag", "s", "time lag", front, Fit::none, of_front, as_delay,
         any_bound, below(0.25, window, "the lag is sought within a quarter of the window")},
        {Metric::aligned_rms, "aligned_rms", "1",
         "normalised rms of the difference without the time lag", front, Fit::none, of_front,
         unpredicted, any_bound,
-        below(1, unit, "a candidate that stays at the reference's mean has 1")},
+        below(1, unit, "a candidate that stays at the reference's mean has 1", 1)},
        {Metric::largest_magnitude, "largest_magnitude", "", "largest magnitude", own_series,
-        Fit::none, nowhere, as_magnitude, any_bound, below(1e9, unit, of_any_size)},
+        Fit::none, nowhere, as_magnitude, any_bound, below(1, tank, of_any_size)},
        {Metric::band_energy_error, "band_energy_error", "1",
         "error of the energy near the mode's frequency", any_mode, Fit::none, nowhere, as_energy,
-        any_bound, below(1, unit, at_rest)},
+        any_bound, below(1, unit, at_rest, -1)},
        {Metric::cross_correlation_lag, "cross_correlation_lag", "deg",
         "lag of the highest cross-correlation", oscillation, Fit::none, nowhere, as_correlation,
-        any_bound, below(180, unit, "the lag is sought within half a period of the first mode")},
+        any_bound,
+        below(180, unit, "the lag is sought within half a period of the first mode", 180)},
        {Metric::spectral_peak_error, "spectral_peak_error", "1",
         "error of the frequency of the highest spectral peak", oscillation, Fit::none, nowhere,
-        as_frequency, any_bound, below(1, unit, at_rest)},
+        as_frequency, any_bound, below(1, unit, at_rest, -1)},
        {Metric::rms_error, "rms_error", "1", "error of the root mean square about the mean",
-        whole_window, Fit::none, nowhere, as_amplitude, any_bound, below(1, unit, at_rest)},
+        whole_window, Fit::none, nowhere, as_amplitude, any_bound, below(1, unit, at_rest, -1)},
        {Metric::crest_error, "crest_error", "1", "error of the mean crest", oscillation, Fit::none,
-        nowhere, as_crest, any_bound, below(1, unit, at_rest)},
+        nowhere, as_crest, any_bound, below(1, unit, at_rest, -1)},
        {Metric::trough_error, "trough_error", "1", "error of the mean trough", oscillation,
-        Fit::none, nowhere, as_crest, any_bound, below(1, unit, at_rest)},
+        Fit::none, nowhere, as_crest, any_bound, below(1, unit, at_rest, -1)},
        {Metric::mean_offset, "mean_offset", "", "mean less the reference's", whole_window,
-        Fit::none, nowhere, as_mean, any_bound, below(1e9, unit, of_any_size)},
+        Fit::none, nowhere, as_mean, any_bound, below(1, tank, of_any_size)},
        {Metric::noise_share, "noise_share", "1", "white noise over the standard deviation",
         own_series, Fit::none, nowhere, as_noise, any_bound,
-        below(1, unit, "a series of nothing but white noise has 1")},
+        below(1, unit, "a series of nothing but white noise has 1", 1)},
        {Metric::initial_value, "initial_value", "", "value at the start", own_series, Fit::none,
-        nowhere, as_start, any_bound, below(1e9, unit, of_any_size)},
+        nowhere, as_start, any_bound, below(1, tank, of_any_size)},
        {Metric::plateau_error, "plateau_error", "1", "error of the mean over the plateau", plateau,
         Fit::none, nowhere, unpredicted, any_bound,
-        below(1, unit, "a candidate without a plateau has -1")},
+        below(1, unit, "a candidate without a plateau has -1", -1)},
        {Metric::impact_percentile, "impact_percentile", "1",
         "share of the experiment's repeats that peak lower", impact, Fit::none, nowhere,
-        unpredicted, range_alone, below(0.5, unit, "every percentile lies between 0 and 1")},
+        unpredicted, range_alone, below(0.5, unit, "every percentile lies between 0 and 1", 0)},
        {Metric::impact_arrival, "impact_arrival", "s", "time of the arrival less the published one",
         impact, Fit::none, nowhere, unpredicted, any_bound,
         below(0.25, impact_period, "an impact is sought within a quarter of the motion's period")},
@@ -90,43 +92,43 @@ constexpr std::array<MetricEntry, metric_count> metric_rows() {
         below(0.25, impact_period, "an impact is sought within a quarter of the motion's period")},
        {Metric::impact_peak_error, "impact_peak_error", "1", "error of the peak of an impact",
         impact, Fit::none, nowhere, unpredicted, any_bound,
-        below(1, unit, "a candidate without an impact has -1")},
+        below(1, unit, "a candidate without an impact has -1", -1)},
        {Metric::impulse_error, "impulse_error", "1", "error of the impulse of an impact", impact,
         Fit::none, nowhere, unpredicted, any_bound,
-        below(1, unit, "a candidate without an impact has -1")},
+        below(1, unit, "a candidate without an impact has -1", -1)},
        {Metric::peak_mean_p_value, "peak_mean_p_value", "1",
         "p-value of equal mean peaks of the ensemble and of the experiment's repeats, by Welch",
         repeated_impact, Fit::none, nowhere, unpredicted, p_value_range,
-        below(0.5, unit, between_0_and_1)},
+        below(0.5, unit, between_0_and_1, 0)},
        {Metric::peak_ks_p_value, "peak_ks_p_value", "1",
         "p-value of equal distributions of the peaks, by Kolmogorov and Smirnov", repeated_impact,
-        Fit::none, nowhere, unpredicted, p_value_range, below(0.5, unit, between_0_and_1)},
+        Fit::none, nowhere, unpredicted, p_value_range, below(0.5, unit, between_0_and_1, 0)},
        {Metric::peak_ad_p_value, "peak_ad_p_value", "1",
         "p-value of equal distributions of the peaks, by Anderson and Darling", repeated_impact,
-        Fit::none, nowhere, unpredicted, p_value_range, below(0.5, unit, between_0_and_1)},
+        Fit::none, nowhere, unpredicted, p_value_range, below(0.5, unit, between_0_and_1, 0)},
        {Metric::peak_area, "peak_area", "1",
         "area between the cumulative distributions of the peaks over the experiment's mean peak",
         repeated_impact, Fit::none, nowhere, unpredicted, area_limit,
-        below(1, unit, "a candidate whose peaks are all zero has 1")},
+        below(1, unit, "a candidate whose peaks are all zero has 1", 1)},
        {Metric::peak_median_error, "peak_median_error", "1",
         "error of the median of the peaks over the ensemble", repeated_impact, Fit::none, nowhere,
-        unpredicted, any_bound, below(1, unit, "a candidate whose peaks are all zero has -1")},
+        unpredicted, any_bound, below(1, unit, "a candidate whose peaks are all zero has -1", -1)},
        {Metric::peak_p90_error, "peak_p90_error", "1",
         "error of the quantile of 90 % of the peaks over the ensemble", repeated_impact, Fit::none,
         nowhere, unpredicted, any_bound,
-        below(1, unit, "a candidate whose peaks are all zero has -1")},
+        below(1, unit, "a candidate whose peaks are all zero has -1", -1)},
        {Metric::outside_band, "outside_band", "1", "share of the time outside the record's band",
         band, Fit::none, nowhere, unpredicted, any_bound,
-        below(1, unit, "a candidate that is never inside has 1")},
+        below(1, unit, "a candidate that is never inside has 1", 1)},
        {Metric::band_excursion, "band_excursion", "", "largest distance outside the record's band",
-        band, Fit::none, nowhere, unpredicted, any_bound, below(1e9, unit, of_any_size)},
+        band, Fit::none, nowhere, unpredicted, any_bound, below(1, tank, of_any_size)},
        {Metric::pressure_field_rms, "pressure_field_rms", "1",
         "rms difference of the pressure field over the pressure under the fill depth", field,
         Fit::none, nowhere, as_field_rms, any_bound,
-        below(0.5, unit, "without pressure a candidate has 0.58 against a liquid at rest")},
+        below(0.5, unit, "without pressure a candidate has 0.58 against a liquid at rest", 0.58)},
        {Metric::pressure_field_tension, "pressure_field_tension", "1",
         "share of the liquid under tension", field, Fit::none, nowhere, unpredicted, any_bound,
-        below(1, unit, "a liquid that is all under tension has 1")},
+        below(1, unit, "a liquid that is all under tension has 1", 1)},
        {Metric::cost_to_reach, "cost_to_reach", "s", "processor time to reach an error", cost,
         Fit::none, nowhere, unpredicted, limit_alone,
         below(3.2e7, unit, "nobody waits for a year of one core")}}};
@@ -271,6 +273,8 @@ double widest_bound(const MetricEntry& metric, const BoundScales& scales) {
       return metric.widest.below * scales.window;
     case BoundScale::impact_period:
       return metric.widest.below * scales.impact_period;
+    case BoundScale::tank:
+      return metric.widest.below * scales.tank;
   }
   throw std::logic_error("a bound of no scale");
 }
@@ -281,6 +285,20 @@ Rule<double> limit_rule(const MetricEntry& metric, const std::string& unit,
   return {fmt::format("a number > 0 and below {:.4g}, {} ({})", widest, in(unit),
                       metric.widest.because),
           [widest](double value) { return value > 0 && value < widest; }};
+}
+
+Rule<double> upper_rule(const MetricEntry& metric, const std::string& unit,
+                        const BoundScales& scales, double lower) {
+  const double widest = lower + 2 * widest_bound(metric, scales), nothing = metric.widest.nothing;
+  const double turn = is_angle(metric.metric) ? 360 : 0;
+  // The least value of nothing that is no less than the lower end.
+  const double next = turn > 0 ? nothing + turn * std::ceil((lower - nothing) / turn) : nothing;
+  const double end = next >= lower ? std::min(widest, next) : widest;
+  return {
+      fmt::format("a number above lower ({}) and below {:.4g}, {}{} ({})", lower, end, in(unit),
+                  end < widest ? fmt::format(", so that the range does not hold {:g}", end) : "",
+                  metric.widest.because),
+      [lower, end](double value) { return value > lower && value < end; }};
 }
 
 }  // namespace slosh

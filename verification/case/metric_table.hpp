@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -121,17 +122,20 @@ struct RequiredBound {
 };
 
 // What the widest bound is a multiple of.
-enum class BoundScale { unit, window, impact_period };
+enum class BoundScale { unit, window, impact_period, tank };
 
 // A limit, and half the width of a range, lie below `below` times the scale; `because` says what a
-// wider bound would let pass.
+// wider bound would let pass. No range holds `nothing`, which a candidate of zeros has, or of a lag
+// a wave that is turned over; NaN where the metric has no such value.
 struct WidestBound {
-  constexpr WidestBound(double multiple, BoundScale multiple_of, const char* reason)
-      : below(multiple), scale(multiple_of), because(reason) {}
+  constexpr WidestBound(double multiple, BoundScale multiple_of, const char* reason,
+                        double of_nothing = std::numeric_limits<double>::quiet_NaN())
+      : below(multiple), scale(multiple_of), because(reason), nothing(of_nothing) {}
 
   double below;
   BoundScale scale;
   const char* because;
+  double nothing;
 };
 
 struct MetricEntry {
@@ -179,10 +183,12 @@ std::optional<std::string> default_mode(const MetricEntry& metric);
 // "what phase_lag is measured on"
 std::string measured_on_text(const MetricEntry& metric);
 
-// The length of the comparison's window and the period of the motion that causes the impacts [s].
+// The length of the comparison's window and the period of the motion that causes the impacts [s];
+// the largest value that the quantity can have (largest_in_tank()), in its unit.
 struct BoundScales {
   double window;
   double impact_period = 0;
+  double tank = 1e9;
 };
 
 // The smallest width of a bound that lets every candidate pass, in the metric's unit.
@@ -190,5 +196,9 @@ double widest_bound(const MetricEntry& metric, const BoundScales& scales);
 // A limit on the metric must lie above 0 and below widest_bound().
 Rule<double> limit_rule(const MetricEntry& metric, const std::string& unit,
                         const BoundScales& scales);
+// The upper end of a range must lie above the lower one, by less than twice widest_bound(), and the
+// range must not hold what `nothing` says of the metric.
+Rule<double> upper_rule(const MetricEntry& metric, const std::string& unit,
+                        const BoundScales& scales, double lower);
 
 }  // namespace slosh

@@ -1,8 +1,10 @@
 #include "verification/case/quantities.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
+#include "verification/case/motion.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 
 namespace slosh {
@@ -275,6 +277,32 @@ std::vector<std::string> impact_pressures(const CaseDefinition& definition) {
 std::string unit_of(const std::string& series) {
   if (const Quantity* quantity = find_quantity(series)) return quantity->unit;
   throw std::invalid_argument("no compared quantity: " + series);
+}
+
+double largest_in_tank(const CaseDefinition& definition, const std::string& unit) {
+  const double length = definition.tank.length, height = definition.tank.height,
+               sides = length + height;
+  const SurgeMotion surge = surge_motion(definition);
+  const std::optional<RollMotion> roll = roll_motion(definition);
+  const double reach =
+      roll ? sides + std::hypot(roll->axis_x, roll->axis_z) : 0;  // from the axis of the roll
+  double of_tank = 0;
+  constexpr int times = 1000;
+  for (int i = 0; i <= times; ++i) {
+    const double time = definition.duration * i / times;
+    of_tank = std::max(
+        of_tank, std::abs(surge.velocity(time)) + (roll ? reach * std::abs(roll->rate(time)) : 0));
+  }
+  constexpr double faster = 10, speed_of_sound = 1500;  // [1], [m/s]
+  const double speed = std::sqrt(2 * definition.gravity * sides) + of_tank;
+  const double pressure = definition.liquid.density * speed_of_sound * speed;
+  if (unit == "m") return std::max(length, height);
+  if (unit == "m/s") return faster * speed;
+  if (unit == "Pa") return pressure;
+  if (unit == "N/m") return pressure * sides;
+  if (unit == "N") return pressure * sides * sides;
+  if (unit == "kg/s") return definition.liquid.density * liquid_area(definition) * faster * speed;
+  return 1e9;
 }
 
 std::vector<std::string> quantity_names() {

@@ -71,6 +71,12 @@ std::vector<std::string> impact_pressures(const CaseDefinition& definition);
 // Throws std::invalid_argument for a series that is no compared quantity.
 std::string unit_of(const std::string& series);
 
+// A value in this unit that no quantity of the case exceeds: of a length the tank's larger side, of
+// a speed ten times U = sqrt(2 g (L + H)) + the tank's own largest speed, of a pressure the water
+// hammer rho c U with c = 1500 m/s, of loads that over the tank's sides, of a momentum the liquid's
+// at 10 U. 1e9 in any other unit.
+double largest_in_tank(const CaseDefinition& definition, const std::string& unit);
+
 // Returns all names of the table, with "@GAUGE", "@PROBE" and "@WALL" for the quantities of gauges,
 // probes and walls.
 std::vector<std::string> quantity_names();

@@ -294,7 +294,7 @@ const std::vector<KeyTable>& case_key_tables() {
        {{"window_begin_s", "number >= 0, s", "yes", ""},
         {"window_end_s", "number above window_begin_s and <= duration_s, s", "no",
          "Default: duration_s."},
-        {"natural_modes", "integer >= 0", "yes",
+        {"natural_modes", "integer from 0 to 100", "yes",
          "The number of natural modes that are fitted beside the forced one: 0 for a dam or "
          "without gravity, at most 1 for a still tank's initial wave."},
         {"forcing", "\"from_spectrum\"", "no",
@@ -334,16 +334,16 @@ const std::vector<KeyTable>& case_key_tables() {
         {"initial_state", "\"lattice\", \"settled\" or \"projected\"", "no",
          "How the particles start: on a lattice, after they have settled, or with the impulsive "
          "start's velocity projected onto a divergence-free one. Default: the scheme's."},
-        {"smoothing_length_ratio", "number > 0", "no",
+        {"smoothing_length_ratio", "number from 0.5 to 10", "no",
          "h / dp, the smoothing length over the spacing. Default: the scheme's."},
-        {"sound_speed_ratio", "number > 0", "no",
+        {"sound_speed_ratio", "number from 1 to 1000", "no",
          "c0 / V_max, the speed of sound over the expected largest speed. Default: the scheme's."},
         {"expected_speed", "\"estimate\" or \"coarse_run\"", "no",
          "Where V_max comes from: sqrt(g h) plus the tank's largest speed, or a first run of the "
          "same flow at a coarser spacing: see [The speed of "
          "sound](scheme_choices.md#the-speed-of-sound). A coarse run is refused where tank and "
          "liquid are at rest. Default: estimate."},
-        {"courant_number", "number > 0", "no", "Default: the scheme's."},
+        {"courant_number", "number from 0.001 to 10", "no", "Default: the scheme's."},
         {"artificial_viscosity", "number >= 0", "no",
          "The coefficient alpha of the artificial viscosity. Default: the scheme's."},
         {"density_diffusion", "number >= 0", "no",
@@ -375,8 +375,9 @@ const std::vector<KeyTable>& case_key_tables() {
        "interFoam for a compressible liquid (sound at 1482 m/s) and a gas that is compressed at "
        "constant temperature, 20 °C, from 101325 Pa. SPH is compared with the finest mesh of "
        "interFoam.",
-       {{"cells_x", "integer >= 2", "yes", "The number of cells along the tank."},
-        {"cells_z", "integer >= 2", "yes", "The number of cells over the tank's height."},
+       {{"cells_x", "integer from 2 to 10000", "yes", "The number of cells along the tank."},
+        {"cells_z", "integer from 2 to 10000", "yes",
+         "The number of cells over the tank's height."},
         {"processes", "integer from 1 to cells_x", "no",
          "The number of MPI processes. Default: 1."},
         {"courant_number", "number > 0 and <= 1", "no",
@@ -397,7 +398,7 @@ const std::vector<KeyTable>& case_key_tables() {
          "From there each cell is thicker by a fifth at most, up to uniform ones in the middle; "
          "cells_x and cells_z stay the numbers of cells. Refused with an obstacle, outline_m or "
          "diameter_m. Default: uniform cells."},
-        {"cells_y", "integer >= 4", "no",
+        {"cells_y", "integer from 4 to 1000", "no",
          "Solves a narrow tank in three dimensions: the number of cells across half of breadth_m, "
          "from the front wall to a plane of symmetry. They grow from wall_cell_m at the wall, each "
          "at most twice as thick as the one before; without that the last is seven times as thick "
@@ -419,13 +420,13 @@ const std::vector<KeyTable>& case_key_tables() {
        "Linear potential theory, in closed form, or in a tank that is no rectangle by spectral "
        "elements. A dam, an obstacle, and a still tank without an "
        "initial wave are refused.",
-       {{"modes", "integer >= 1", "yes, but refused for a still tank's initial wave",
+       {{"modes", "integer from 1 to 100000", "yes, but refused for a still tank's initial wave",
          "The number of natural modes that are summed; at most 150 in a tank that is no rectangle, "
          "whose modes are computed."},
         {"two_layer", "true or false", "no",
          "Whether the gas above the liquid takes part: the form to compare interFoam with. Refused "
          "in a tank that is no rectangle."},
-        {"valid_elevation_over_depth", "number > 0, fill depths", "yes",
+        {"valid_elevation_over_depth", "number > 0 and < 1, fill depths", "yes",
          "The elevation up to which the solution may judge. Beyond it the curve is drawn and never "
          "gates."}}},
       {"run.viscous_wave",
@@ -433,7 +434,7 @@ const std::vector<KeyTable>& case_key_tables() {
        "no",
        "The exact linear wave of a viscous liquid (Prosperetti 1976), of a still tank's initial "
        "wave.",
-       {{"valid_elevation_over_depth", "number > 0, fill depths", "yes",
+       {{"valid_elevation_over_depth", "number > 0 and < 1, fill depths", "yes",
          "The same as for linear theory."}}},
       {"run.potential",
        "[[run]] with solver = \"potential\"",
@@ -495,7 +496,7 @@ const std::vector<KeyTable>& case_key_tables() {
          "Where the program starts. Default: a fresh work directory."},
         {"time_limit_s", "number > 0, s", "no",
          "The longest wall-clock time that the program may take."},
-        {"inputs", "list of paths, relative to the case file", "no",
+        {"inputs", "list of paths or patterns, relative to the case file", "no",
          "Files that count as part of the run: a change of one makes the run be computed again."},
         {"fail_on", "list of texts", "no",
          "Regular expressions (RE2). A line of the program's log that one of them matches "

@@ -115,7 +115,7 @@ std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition&
                                      const std::filesystem::path& experiments);
 
 // The rule of particle_spacing_m.
-Rule<double> a_particle_spacing(const LiquidDefinition& liquid);
+Rule<double> a_particle_spacing(const CaseDefinition& definition);
 
 // Reads the keys of [[run]] with solver = "external". The files are relative to the case file.
 ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition);

@@ -9,6 +9,7 @@
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/definition_file.hpp"
+#include "verification/input/input_files.hpp"
 #include "verification/input/tables/series_files.hpp"
 #include "verification/input/units.hpp"
 
@@ -102,7 +103,7 @@ std::vector<std::string> read_command(const TomlTable& run, const char* key) {
 // A method's runs are told apart by their spacings, and a spacing alone is of no use.
 void read_method(const TomlTable& run, const CaseDefinition& definition, ExternalRun& external) {
   external.method = run.find("method", file_safe_name()).value_or("");
-  external.particle_spacing = run.find("particle_spacing_m", a_particle_spacing(definition.liquid));
+  external.particle_spacing = run.find("particle_spacing_m", a_particle_spacing(definition));
   if (external.particle_spacing && external.method.empty())
     run.refuse("method", "the name of the method, beside particle_spacing_m");
   if (!external.method.empty() && !external.particle_spacing)
@@ -125,9 +126,11 @@ ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& defini
   if (run.has("inputs"))
     for (const PlacedText& input : run.texts("inputs", any_text())) {
       external.inputs.push_back(beside_case(definition, input.text));
-      if (!fs::is_regular_file(external.inputs.back()))
-        run.refuse("inputs", "files relative to the case file; there is no " +
-                                 external.inputs.back().string());
+      if (input_files(external.inputs.back()).empty())
+        run.refuse("inputs",
+                   "files, directories or patterns of them, relative to the case file; there is no "
+                   "file in " +
+                       external.inputs.back().string());
     }
   if (run.has("fail_on"))
     for (const PlacedText& pattern : run.texts("fail_on", a_pattern))
@@ -142,7 +145,7 @@ ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& defini
 StoredRun read_stored_run(const TomlTable& run, const CaseDefinition& definition) {
   return {.series = read_all_series(run, definition, Files::beside_case_file),
           .method = run.get("method", file_safe_name()),
-          .particle_spacing = run.get("particle_spacing_m", a_particle_spacing(definition.liquid)),
+          .particle_spacing = run.get("particle_spacing_m", a_particle_spacing(definition)),
           .facts = stored_file(run, "facts", definition)};
 }
 
@@ -161,7 +164,7 @@ ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definitio
       .facts = "cost.json",
       .version_command = {driver, "--version"},
       .cores = 1};
-  external.particle_spacing = run.get("particle_spacing_m", a_particle_spacing(definition.liquid));
+  external.particle_spacing = run.get("particle_spacing_m", a_particle_spacing(definition));
   for (const double size : {definition.tank.length, definition.liquid.fill_depth}) {
     const double rows = size / *external.particle_spacing;
     if (std::abs(rows - std::round(rows)) > 1e-6)

@@ -100,21 +100,16 @@ std::vector<std::string> runs_besides(const std::vector<std::string>& excluded,
   return names;
 }
 
-BoundScales scales_of(const CaseDefinition& definition) {
+BoundScales scales_of(const CaseDefinition& definition, const std::string& unit) {
   return {.window = definition.window_end - definition.window_begin,
-          .impact_period = definition.impacts ? definition.impacts->period : 0};
+          .impact_period = definition.impacts ? definition.impacts->period : 0,
+          .tank = largest_in_tank(definition, unit)};
 }
 
-// A range is narrower than twice the widest limit, which bounds a range about zero.
 std::pair<double, double> read_range(const TomlTable& row, const MetricEntry& metric,
                                      const CaseDefinition& definition, const std::string& unit) {
   const double lower = row.get("lower", any_number(unit));
-  const double widest = lower + 2 * widest_bound(metric, scales_of(definition));
-  const Rule<double> above_lower{
-      fmt::format("a number above lower ({}) and below {:.4g}, {} ({})", lower, widest, in(unit),
-                  metric.widest.because),
-      [lower, widest](double value) { return value > lower && value < widest; }};
-  return {lower, row.get("upper", above_lower)};
+  return {lower, row.get("upper", upper_rule(metric, unit, scales_of(definition, unit), lower))};
 }
 
 // Reads exactly one of limit, lower with upper, and improves_on.
@@ -125,7 +120,8 @@ void read_bound(const TomlTable& row, const MetricEntry& metric, const CaseDefin
     if (row.has(key)) given.push_back(key);
   }
   if (given == std::vector<std::string>{"limit"}) {
-    gate_row.limit = row.get("limit", limit_rule(metric, gate_row.unit, scales_of(definition)));
+    gate_row.limit =
+        row.get("limit", limit_rule(metric, gate_row.unit, scales_of(definition, gate_row.unit)));
   } else if (given == std::vector<std::string>{"lower", "upper"}) {
     gate_row.between = read_range(row, metric, definition, gate_row.unit);
   } else if (given == std::vector<std::string>{"improves_on"}) {

@@ -55,6 +55,8 @@ std::string widest(const MetricEntry& metric) {
       return fmt::format("{:g} of the window", metric.widest.below);
     case BoundScale::impact_period:
       return fmt::format("{:g} of the impacts' period", metric.widest.below);
+    case BoundScale::tank:
+      return "by the tank";
   }
   return "";
 }
@@ -62,7 +64,8 @@ std::string widest(const MetricEntry& metric) {
 std::string metric_section() {
   std::string text =
       "## Metrics\n\nA limit lies below the widest bound: a wider one would let every candidate "
-      "pass.\n[Concepts](concepts.md) explains the metrics.\n\n"
+      "pass. No range holds\nwhat a candidate of nothing has, or of a lag a wave turned "
+      "over.\n[Concepts](concepts.md) explains the metrics.\n\n"
       "| metric | unit | measured on | widest bound | because |\n|---|---|---|---|---|\n";
   for (const MetricEntry& metric : metric_table())
     text += fmt::format("| `{}` | {} | {} | {} | {} |\n", metric.name,

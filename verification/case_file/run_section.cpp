@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -17,18 +18,28 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
+// More would not fit the memory, which is then exhausted without a word.
+constexpr double most_particles = 1e7;
+constexpr int most_cells = 10000, most_modes = 100000;
+
+double finest_spacing(const CaseDefinition& definition) {
+  return std::sqrt(liquid_area(definition) / most_particles);
+}
+
 Keys together(Keys keys, const Keys& more) {
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }
 
-// Ratios must be positive; damping may be switched off by a zero.
+// Below a ratio of 1 the liquid would move faster than sound in it. Damping may be switched off by
+// a zero.
 SphNumbers read_numbers(const TomlTable& run) {
-  return {.smoothing_length_ratio = run.find("smoothing_length_ratio", positive("1")),
-          .sound_speed_ratio = run.find("sound_speed_ratio", positive("1")),
-          .courant_number = run.find("courant_number", positive("1")),
-          .artificial_viscosity = run.find("artificial_viscosity", not_negative("1")),
-          .density_diffusion = run.find("density_diffusion", not_negative("1"))};
+  return {
+      .smoothing_length_ratio = run.find("smoothing_length_ratio", number_between(0.5, 10, "1")),
+      .sound_speed_ratio = run.find("sound_speed_ratio", number_between(1, 1000, "1")),
+      .courant_number = run.find("courant_number", number_between(0.001, 10, "1")),
+      .artificial_viscosity = run.find("artificial_viscosity", not_negative("1")),
+      .density_diffusion = run.find("density_diffusion", not_negative("1"))};
 }
 
 const Rule<std::string> an_initial_state{"one of lattice | settled | projected",
@@ -39,16 +50,12 @@ const Rule<std::string> an_initial_state{"one of lattice | settled | projected",
                                          "lattice"};
 
 // With more than a fifth of a spacing, particles come so close that the start is a shock.
-const Rule<double> a_disorder{"a number >= 0 and <= 0.2, in particle spacings",
-                              [](double disorder) { return disorder >= 0 && disorder <= 0.2; }, 0};
+const Rule<double> a_disorder = number_between(0, 0.2, "particle spacings");
 
 // A square lattice repeats itself after a quarter turn, and is mirrored after an eighth.
-const Rule<double> a_rotation{"a number >= 0 and <= 45, in degrees",
-                              [](double angle) { return angle >= 0 && angle <= 45; }, 0};
+const Rule<double> a_rotation = number_between(0, 45, "degrees");
 
-const Rule<double> a_disturbed_level{
-    "a number >= 0 and <= 0.2, in heights of a cell",
-    [](double disorder) { return disorder >= 0 && disorder <= 0.2; }, 0};
+const Rule<double> a_disturbed_level = number_between(0, 0.2, "heights of a cell");
 
 // Throws for a coarse run of liquid at rest in a tank at rest.
 bool read_speed_from_coarse_run(const TomlTable& run, const CaseDefinition& definition) {
@@ -98,11 +105,15 @@ double read_start_rotation(const TomlTable& run, const CaseDefinition& definitio
 }
 
 SphRun read_sph(const TomlTable& run, const CaseDefinition& definition) {
-  const double spacing = run.get("particle_spacing_m", a_particle_spacing(definition.liquid));
-  const auto surface_spacing =
-      run.find<double>("surface_particle_spacing_m",
-                       {fmt::format("a number > 0 and <= particle_spacing_m ({}), in m", spacing),
-                        [spacing](double value) { return value > 0 && value <= spacing; }});
+  const double spacing = run.get("particle_spacing_m", a_particle_spacing(definition));
+  const double finest = finest_spacing(definition);
+  const auto surface_spacing = run.find<double>(
+      "surface_particle_spacing_m",
+      {fmt::format(
+           "a number > 0 and <= particle_spacing_m ({}), in m, and >= {:.3g}, the spacing of "
+           "ten million particles",
+           spacing, finest),
+       [=](double value) { return value >= finest && value <= spacing; }});
   const DisturbedStart start = read_start(run, a_disorder);
   return {.scheme = run.get("scheme", any_text()),
           .particle_spacing = spacing,
@@ -133,7 +144,7 @@ Rule<double> a_wall_cell(const CaseDefinition& definition, int cells_x, int cell
 // Throws unless the tank is a narrow rectangle whose walls the liquid sticks to.
 std::optional<int> read_cells_y(const TomlTable& run, const CaseDefinition& definition,
                                 bool no_slip) {
-  const auto cells = run.find("cells_y", at_least(4));
+  const auto cells = run.find("cells_y", integer_between(4, 1000));
   if (!cells) return cells;
   if (!definition.tank.breadth)
     run.refuse("cells_y",
@@ -160,8 +171,8 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
                             FoamProgram program) {
   if (program == FoamProgram::compressible_inter_foam && !run.has("cells_y"))
     refuse_breadth(run, definition);
-  const int cells_x = run.get("cells_x", at_least(2));
-  const int cells_z = run.get("cells_z", at_least(2));
+  const int cells_x = run.get("cells_x", integer_between(2, most_cells));
+  const int cells_z = run.get("cells_z", integer_between(2, most_cells));
   const auto processes = run.find("processes", integer_up_to("cells_x", cells_x));
   const auto wall_cell = run.find("wall_cell_m", a_wall_cell(definition, cells_x, cells_z));
   if (wall_cell && (!is_rectangle(definition.tank) || !definition.obstacles.empty()))
@@ -195,8 +206,11 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
           .cells_y = read_cells_y(run, definition, no_slip)};
 }
 
+// Where the surface departs by a depth it bares the bottom, and no theory of small waves holds.
 double read_valid_elevation(const TomlTable& run) {
-  return run.get("valid_elevation_over_depth", positive("fill depths"));
+  const Rule<double> rule{"a number > 0 and < 1, in fill depths: a trough of one bares the bottom",
+                          [](double depths) { return depths > 0 && depths < 1; }, 0.1};
+  return run.get("valid_elevation_over_depth", rule);
 }
 
 LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
@@ -207,9 +221,9 @@ LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
   const bool rectangle = is_rectangle(definition.tank);
   if (!rectangle && run.has("two_layer"))
     run.refuse("two_layer", "no such key for a tank that is no rectangle: its theory has no gas");
-  return {.modes = wave_alone
-                       ? 0
-                       : run.get("modes", rectangle ? at_least(1) : modes_of_outline(definition)),
+  return {.modes = wave_alone ? 0
+                              : run.get("modes", rectangle ? integer_between(1, most_modes)
+                                                           : modes_of_outline(definition)),
           .two_layer = run.flag("two_layer"),
           .valid_elevation_over_depth = read_valid_elevation(run)};
 }
@@ -405,10 +419,13 @@ RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
 
 }  // namespace
 
-Rule<double> a_particle_spacing(const LiquidDefinition& liquid) {
-  return {fmt::format("a number > 0 and <= the fill depth ({:.4g}), in m", liquid.fill_depth),
-          [most = liquid.fill_depth](double value) { return value > 0 && value <= most; },
-          liquid.fill_depth};
+Rule<double> a_particle_spacing(const CaseDefinition& definition) {
+  const double least = finest_spacing(definition), most = definition.liquid.fill_depth;
+  return {
+      fmt::format("a number > 0 and <= the fill depth ({:.4g}), in m, and >= {:.3g}, the spacing "
+                  "of ten million particles",
+                  most, least),
+      [=](double value) { return value >= least && value <= most; }, most};
 }
 
 std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition& definition,

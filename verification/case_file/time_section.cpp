@@ -8,6 +8,10 @@
 namespace slosh {
 namespace {
 
+// More would not fit the memory, which is then exhausted without a word.
+constexpr double most_samples = 1e7;
+constexpr int most_natural_modes = 100;
+
 // The tolerance is for the rounding of numbers that are written with a few decimals.
 bool is_multiple(double value, double interval) {
   const double quotient = value / interval;
@@ -35,7 +39,7 @@ Rule<int> natural_modes_to_fit(const CaseDefinition& definition) {
   if (definition.motion.still() && definition.initial_wave)
     return {"0 or 1: a still tank has only the mode of its initial wave",
             [](int modes) { return modes == 0 || modes == 1; }, 0};
-  return at_least(0);
+  return integer_between(0, most_natural_modes);
 }
 
 // Fewer show no motion; more make a page that takes long to load.
@@ -58,8 +62,13 @@ void read_time(const TomlTable& time, CaseDefinition& definition) {
   definition.duration = time.get("duration_s", positive("s"));
   definition.sample_interval = time.get<double>(
       "sample_interval_s",
-      {fmt::format("a number > 0 and <= the duration ({}), in s", definition.duration),
-       [most = definition.duration](double value) { return value > 0 && value <= most; }});
+      {fmt::format(
+           "a number > 0 and <= the duration ({}), in s, and >= {:.3g}, for at most ten million "
+           "samples",
+           definition.duration, definition.duration / most_samples),
+       [most = definition.duration](double value) {
+         return value >= most / most_samples && value <= most;
+       }});
   definition.snapshot_times = time.increasing_numbers("snapshot_times_s", sampled(definition));
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -218,6 +219,14 @@ void write_json(const Comparison& comparison, const std::vector<GateOutcome>& ou
   replace_file(file, document.dump(2) + "\n", Durability::process_crash);
 }
 
+// The arrays of a comparison are as long as the series. By default each goes back to the system when
+// it is freed, and the pages of the next one are made anew: of ten million samples that took 15 of
+// 26 s of processor time. Kept for the next one they take 3 of 17 s.
+void keep_freed_memory() {
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, -1);
+}
+
 struct ComparedFiles {
   Comparison comparison;
   std::string impacts;  // impact_lines(), of a case whose impacts are in the quantity
@@ -249,6 +258,7 @@ ComparedFiles compared(const CompareOptions& options, const Installation& instal
 }
 
 int compare_results(const CompareOptions& options, const Installation& installation) {
+  keep_freed_memory();
   const auto [comparison, impacts] = compared(options, installation);
   const std::vector<GateOutcome> outcomes = judged_by_limits(options.limits, comparison);
   print(comparison);

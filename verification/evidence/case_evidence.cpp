@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "verification/case/ensemble.hpp"
 #include "verification/case/metric_table.hpp"
@@ -20,6 +21,7 @@
 #include "verification/gate/measured_value.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/series/windowed_series.hpp"
+#include "verification/solvers/external_script.hpp"
 #include "verification/solvers/theory/natural_frequencies.hpp"
 
 namespace slosh {
@@ -123,6 +125,11 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
     if (has_series(runs_, run, quantity + lower_edge))
       made->add_band({series_of(runs_, run, quantity + lower_edge),
                       series_of(runs_, run, quantity + upper_edge)});
+    // The filter smooths what the sensor cuts off.
+    if (is_filtered(quantity))
+      if (const std::string raw = quantity.substr(0, quantity.size() - std::strlen(through_filter));
+          has_series(runs_, run, raw))
+        made->readings.limits = sensor_limits(cut_to_window(series_of(runs_, run, raw), window));
     here = std::move(made);
   }
   return *here;
@@ -145,6 +152,10 @@ Comparison CaseEvidence::compared(const std::string& candidate, const std::strin
   Comparison comparison =
       compare(prepared("candidate", candidate, quantity, {}, window, modes),
               prepared("reference", reference, quantity, moved, window, modes), needed_.names);
+  if (record)
+    comparison.covered = std::min(
+        comparison.covered, covered_share(series_of(runs_, reference, quantity),
+                                          {definition_.window_begin, definition_.window_end}));
   comparison.candidate = candidate;
   comparison.reference = reference;
   return comparison;
@@ -280,8 +291,17 @@ GateEvidence CaseEvidence::gate_evidence() {
   const FindUncertainty uncertainty = [this, measures](const GateRow& row) {
     return row_uncertainty(definition_, runs_, row, measures);
   };
+  const FindKept kept = [this](const GateRow& row) {
+    std::string text;
+    for (const std::string& run : {row.candidate, row.reference, row.improves_on.value_or("")})
+      if (const std::string doubt =
+              run.empty() ? "" : script_doubt(run_named(definition_, run), definition_);
+          !doubt.empty())
+        text += "; doubtful: " + doubt;
+    return text;
+  };
   return {find,     find_series, measure_impacts, uncertainty, cost,
-          ensemble, history,     fields,          repeats};
+          ensemble, history,     fields,          repeats,     kept};
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {

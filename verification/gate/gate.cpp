@@ -242,11 +242,12 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
     const Estimate value = measured(row, evidence);
     GateOutcome outcome = row.improves_on ? judge_improvement(row, value, evidence)
                                           : judge_bound(row, value, evidence);
-    if (const std::string unseen = unseen_by_samples(row, evidence); !unseen.empty()) {
-      outcome.message += "; " + unseen;
-      if (outcome.verdict == Verdict::pass && row.kind != RowKind::regression)
-        outcome.verdict = Verdict::inconclusive;
-    }
+    const SampleDoubts doubts = doubts_of_samples(row, evidence);
+    outcome.message += doubts.text;
+    if (doubts.keep_from_passing && outcome.verdict == Verdict::pass &&
+        row.kind != RowKind::regression)
+      outcome.verdict = Verdict::inconclusive;
+    if (evidence.kept) outcome.message += evidence.kept(row);
     if (row.kind == RowKind::regression) outcome.message += " (regression)";
     return outcome;
   } catch (const NotSuppliedError& error) {

@@ -63,6 +63,10 @@ struct EnsembleOfRun {
 };
 using FindEnsemble = std::function<EnsembleOfRun(const std::string& run)>;
 
+// Returns "; doubtful: ..." where the row's runs may be kept though what they rest on has changed,
+// else "".
+using FindKept = std::function<std::string(const GateRow& row)>;
+
 struct GateEvidence {
   FindComparison comparison;
   FindSeries series;  // for the metrics of the candidate alone
@@ -73,6 +77,7 @@ struct GateEvidence {
   FindHistory history = {};    // for the metrics of the start
   MeasureFields fields = {};
   MeasureRepeats repeats = {};
+  FindKept kept = {};
 };
 
 }  // namespace slosh

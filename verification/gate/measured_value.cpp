@@ -1,6 +1,7 @@
 #include "verification/gate/measured_value.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <stdexcept>
 
 #include "verification/case/metric_table.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/metrics/ensemble_mean.hpp"
 
@@ -205,6 +207,51 @@ Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
   return metric_value(row.metric, row.mode, comparison);
 }
 
+void add_doubt(const std::string& text, SampleDoubts& found) {
+  found.text += "; " + text;
+  found.keep_from_passing = true;
+}
+
+void add_doubtful(const std::vector<std::string>& doubts, SampleDoubts& found) {
+  if (!doubts.empty()) add_doubt(fmt::format("doubtful: {}", fmt::join(doubts, "; ")), found);
+}
+
+void add_doubts_of_pairs(const GateRow& row, const GateEvidence& evidence, SampleDoubts& found) {
+  const Comparison *unseen = nullptr, *doubtful = nullptr, *barest = nullptr;
+  for (const std::string& candidate : ensemble_of(row.candidate, evidence).members)
+    for (const std::string& reference : reference_of(row, evidence).members) {
+      const Comparison& pair = evidence.comparison(candidate, reference, row.quantity);
+      if (pair.unseen && !(unseen && unseen->unseen->departure >= pair.unseen->departure))
+        unseen = &pair;
+      if (!doubtful && !pair.doubts.empty()) doubtful = &pair;
+      if (!barest || pair.covered < barest->covered) barest = &pair;
+    }
+  if (unseen && metric_entry(row.metric).fitted == FittedTones::none)
+    add_doubt(unseen_text(*unseen->unseen, unseen->unit), found);
+  if (doubtful) add_doubtful(doubtful->doubts, found);
+  if (barest->covered >= 1) return;
+  if (barest->covered < least_coverage)
+    throw ComparisonError(
+        fmt::format("the samples cover {:.2g} % of the window; expected half of it or more, or a "
+                    "window of [comparison] in which they lie",
+                    100 * barest->covered));
+  found.text +=
+      fmt::format("; over {:.2g} % of the window, which the samples cover", 100 * barest->covered);
+}
+
+// What a run records beside the compared quantities need not be what a sensor reads.
+void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
+                             SampleDoubts& found) {
+  const FindHistory& find = is_of_impacts(row.metric) ? evidence.history : evidence.series;
+  if (!find || !find_quantity(row.quantity)) return;
+  for (const std::string& run : ensemble_of(row.candidate, evidence).members) {
+    const TimeSeries series = find(run, row.quantity);
+    const std::vector<std::string> doubts =
+        reading_doubts({"candidate", series.unit, sensor_limits(series)});
+    if (!doubts.empty()) return add_doubtful(doubts, found);
+  }
+}
+
 }  // namespace
 
 std::string unseen_text(const UnseenInterval& unseen, const std::string& unit) {
@@ -220,19 +267,13 @@ std::string unseen_text(const UnseenInterval& unseen, const std::string& unit) {
       unseen.begin, unseen.end, unseen.departure, unit);
 }
 
-std::string unseen_by_samples(const GateRow& row, const GateEvidence& evidence) {
-  if (is_of_repeats(row.metric) || is_of_candidate_alone(row.metric) || is_of_impacts(row.metric) ||
-      is_of_fields(row.metric) || is_cost(row.metric) ||
-      metric_entry(row.metric).fitted != FittedTones::none)
-    return "";
-  const Comparison* worst = nullptr;
-  for (const std::string& candidate : ensemble_of(row.candidate, evidence).members)
-    for (const std::string& reference : reference_of(row, evidence).members) {
-      const Comparison& pair = evidence.comparison(candidate, reference, row.quantity);
-      if (pair.unseen && !(worst && worst->unseen->departure >= pair.unseen->departure))
-        worst = &pair;
-    }
-  return worst ? unseen_text(*worst->unseen, worst->unit) : "";
+SampleDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence) {
+  SampleDoubts found;
+  if (is_of_a_pair(metric_entry(row.metric)))
+    add_doubts_of_pairs(row, evidence, found);
+  else if (is_of_impacts(row.metric) || is_of_candidate_alone(row.metric))
+    add_doubts_of_candidate(row, evidence, found);
+  return found;
 }
 
 double spread_of_series(const GateRow& row, const std::vector<std::string>& members,

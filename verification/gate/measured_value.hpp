@@ -23,10 +23,20 @@ Estimate measured(const GateRow& row, const GateEvidence& evidence);
 // "the reference has no sample between 3 and 3.5 s, where the candidate departs by ..."
 std::string unseen_text(const UnseenInterval& unseen, const std::string& unit);
 
-// That text for a row whose metric is of the whole histories, of the worst of an ensemble's pairs;
-// empty where the samples tell all, and for other metrics: the modes of each series are fitted
-// to its own samples. Throws what measured() throws.
-std::string unseen_by_samples(const GateRow& row, const GateEvidence& evidence);
+// What the samples leave open of a row, for its message.
+struct SampleDoubts {
+  std::string text;                // "; ..." for each
+  bool keep_from_passing = false;  // a row other than a regression
+};
+
+// Half of the window: a value of less of it says little of the rest.
+inline constexpr double least_coverage = 0.5;
+
+// Tells, of the worst of an ensemble's pairs, unseen_text() of a metric of the whole histories (the
+// modes of each series are fitted to its own samples), reading_doubts(), and the share of the
+// window that the samples cover where that is not all. Throws what measured() throws, and
+// ComparisonError where they cover less than least_coverage.
+SampleDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence);
 
 // Whether the row is judged on the mean or the median over an ensemble, its candidate or its
 // reference.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -157,7 +158,9 @@ PreparedSeries::PreparedSeries(const std::string& role, TimeSeries of, TimeWindo
       window(over),
       modes(std::move(requests)),
       cut(cut_to_window(series, window)),
-      constant(is_constant(cut)) {
+      constant(is_constant(cut)),
+      readings{role, series.unit, sensor_limits(cut)},
+      covered(covered_share(series, window)) {
   if (modes.empty() || constant) return;
   require_resolved(window, modes);
   require_sampled(cut, modes);
@@ -190,6 +193,12 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
   if (!reference.constant) require_variation(candidate.cut);
   const CommonSamples all = common_samples(candidate.series, reference.cut);
   result.unseen = unseen_interval(candidate.series, all);
+  result.covered = std::min(candidate.covered, reference.covered);
+  if (!reference.constant) {
+    result.doubts = reading_doubts(reference.readings, candidate.readings);
+    std::ranges::move(reading_doubts(candidate.readings, reference.readings),
+                      std::back_inserter(result.doubts));
+  }
   const CommonSamples common = outside_gaps(candidate.series, all);
   if (common.time.size() < 2)
     throw ComparisonError(

@@ -17,6 +17,7 @@
 
 #include "verification/fits/harmonic_fit.hpp"
 #include "verification/metrics/quantile_band.hpp"
+#include "verification/metrics/reading_doubts.hpp"
 #include "verification/metrics/time_alignment.hpp"
 #include "verification/metrics/unseen_interval.hpp"
 #include "verification/series/spectrum.hpp"
@@ -48,6 +49,8 @@ struct PreparedSeries {
   std::vector<ToneRequest> modes;
   TimeSeries cut;                    // to the window
   bool constant;                     // to rounding: it then has no modes
+  SensorReadings readings;           // of the cut
+  double covered;                    // of the window (unseen_interval.hpp)
   std::optional<SeriesFit> fit;      // nullopt without modes and for Detail::spectrum_alone
   std::optional<Spectrum> spectrum;  // nullopt without modes
   std::optional<QuantileBand> band;  // cut to the window
@@ -78,6 +81,8 @@ struct Comparison {
   // all that divides by the reference's variation or by its modes is NaN or empty.
   bool reference_is_constant = false;
   std::optional<UnseenInterval> unseen;  // what the samples do not tell
+  double covered = 1;                    // the share of the asked window that both cover
+  std::vector<std::string> doubts;       // about the readings of both (reading_doubts.hpp)
   std::vector<ModeComparison> modes;     // the modes asked for; empty for Detail::spectrum_alone
   // For each mode, E_c / E_r - 1 with the energies within a fifth of its frequency to either side
   // (spectrum.hpp); NaN where the window cannot resolve that band.

@@ -58,9 +58,11 @@ std::vector<std::size_t> intervals_of(const std::vector<double>& times,
   return places;
 }
 
+// Of more than 20000 intervals that of every k-th.
 double median_interval(const std::vector<double>& knots) {
+  const std::size_t stride = knots.size() / 20000 + 1;
   std::vector<double> lengths;
-  for (std::size_t i = 1; i < knots.size(); ++i) lengths.push_back(knots[i] - knots[i - 1]);
+  for (std::size_t i = 1; i < knots.size(); i += stride) lengths.push_back(knots[i] - knots[i - 1]);
   const auto middle = lengths.begin() + std::ssize(lengths) / 2;
   std::nth_element(lengths.begin(), middle, lengths.end());
   return *middle;
@@ -125,6 +127,19 @@ std::optional<UnseenInterval> unseen_interval(const TimeSeries& candidate,
     return of_reference;
   of_candidate->in_candidate = true;
   return of_candidate;
+}
+
+double covered_share(const TimeSeries& series, TimeWindow window) {
+  const std::vector<double>& time = series.time;
+  const double length = window.end - window.begin, median = median_interval(time);
+  const double longest = std::max(length / 10, 3 * median);
+  double bare = 0;
+  for (std::size_t i = 1; i < time.size(); ++i)
+    if (time[i] - time[i - 1] > longest)
+      bare += std::max(0.0, std::min(time[i], window.end) - std::max(time[i - 1], window.begin));
+  for (const double missing : {time.front() - window.begin, window.end - time.back()})
+    if (missing > median * (1 + 1e-6)) bare += std::min(missing, length);
+  return std::max(0.0, 1 - bare / length);
 }
 
 CommonSamples outside_gaps(const TimeSeries& candidate, const CommonSamples& common) {

@@ -29,6 +29,11 @@ struct UnseenInterval {
 std::optional<UnseenInterval> unseen_interval(const TimeSeries& candidate,
                                               const CommonSamples& common);
 
+// The share of the window that the series covers. It does not cover an interval between two samples
+// of more than a tenth of the window and of three median ones, nor more than a median one before
+// its first and behind its last sample.
+double covered_share(const TimeSeries& series, TimeWindow window);
+
 // The common samples that are not inside of an interval between the candidate's samples of more
 // than ten median ones.
 CommonSamples outside_gaps(const TimeSeries& candidate, const CommonSamples& common);

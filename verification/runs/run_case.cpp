@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <stdexcept>
 
 #include "openfoam_cases/errors.hpp"
 #include "sph/simulation.hpp"
@@ -17,6 +19,9 @@
 
 namespace slosh {
 namespace {
+
+constexpr const char* too_large =
+    "it needs more memory than there is; expected fewer modes, particles, nodes or samples";
 
 bool is_finite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(),
@@ -52,6 +57,10 @@ RunResult run_chosen_solver(const RunRequest& request) try {
                 error.what() + spacing_hint(error.what(), request.definition, request.run));
 } catch (const sph::SimulationError& error) {
   throw SolverError(error.what());
+} catch (const std::bad_alloc&) {
+  throw SolverError(request.run.name + ": " + too_large);
+} catch (const std::length_error&) {
+  throw SolverError(request.run.name + ": " + too_large);
 } catch (const openfoam::RunError& error) {
   throw SolverError({"solver failed", error.message, error.words, error.log.string()});
 } catch (const std::filesystem::filesystem_error& error) {
@@ -66,6 +75,12 @@ void require_runnable(const CaseDefinition& definition, const RunDefinition& run
     require_scene(solved, run);
   } catch (const CaseFileError& error) {
     throw CaseFileError(error.what() + spacing_hint(error.what(), solved, run));
+  } catch (const sph::SimulationError& error) {  // the start alone leaves the scheme's range
+    throw refused(run, std::string("the start fails: ") + error.what());
+  } catch (const std::bad_alloc&) {
+    throw refused(run, too_large);
+  } catch (const std::length_error&) {
+    throw refused(run, too_large);
   }
 }
 

@@ -97,11 +97,8 @@ json physics(const CaseDefinition& definition) {
   return described;
 }
 
-json contents(const std::vector<std::filesystem::path>& files) {
-  json all = json::array();
-  for (const std::filesystem::path& file : files)
-    all.push_back({file.filename().string(), content_hash(read_bytes(file))});
-  return all;
+json content(const std::string& name, const fs::path& file) {
+  return {name, content_hash(read_bytes(file))};
 }
 
 void add_directory(ContentHash& hash, const std::filesystem::path& directory) {
@@ -154,9 +151,13 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
     asked["case"]["gas"] = {definition.gas.density, definition.gas.kinematic_viscosity};
   if (solver_kind(run).solves_flow) asked["snapshot_times"] = field_times(definition);
   const auto* external = std::get_if<ExternalRun>(&run.solver);
-  if (external) asked["inputs"] = contents(external_inputs(*external, definition));
+  if (external || is_stored(run)) asked["inputs"] = json::array();
+  if (external)
+    for (const auto& [name, file] : external_inputs(*external, definition))
+      asked["inputs"].push_back(content(name, file));
   if (const auto* stored = std::get_if<StoredRun>(&run.solver))
-    asked["inputs"] = contents(stored_files(*stored));
+    for (const fs::path& file : stored_files(*stored))
+      asked["inputs"].push_back(content(file.filename().string(), file));
   question.add(asked.dump());
   add_answer(answer, solver_name(run), builds, openfoam_templates);
   if (external) {

@@ -130,19 +130,22 @@ bool asks_for_tank_file(const ExternalRun& external) {
       [](const std::string& argument) { return argument.find("{tank_file}") != argument.npos; });
 }
 
-std::vector<fs::path> external_inputs(const ExternalRun& external,
-                                      const CaseDefinition& definition) {
+std::vector<InputFile> external_inputs(const ExternalRun& external,
+                                       const CaseDefinition& definition) {
   const fs::path case_file = fs::absolute(definition.file).lexically_normal();
-  std::vector<fs::path> files;
-  const auto add = [&](const fs::path& file) {
-    const fs::path normal = file.lexically_normal();
-    if (std::find(files.begin(), files.end(), normal) == files.end()) files.push_back(normal);
+  std::vector<InputFile> files;
+  const auto add = [&](const InputFile& input) {
+    const fs::path normal = input.file.lexically_normal();
+    const bool is_known = std::any_of(files.begin(), files.end(),
+                                      [&](const InputFile& one) { return one.file == normal; });
+    if (!is_known && normal != case_file) files.push_back({input.name, normal});
   };
   const auto add_argument = [&](const fs::path& file) {
     std::error_code none;
-    if (fs::is_regular_file(file, none) && file.lexically_normal() != case_file) add(file);
+    if (fs::is_regular_file(file, none)) add({file.filename().string(), file});
   };
-  for (const fs::path& input : external.inputs) add(input);
+  for (const fs::path& input : external.inputs)
+    for (const InputFile& file : input_files(input)) add(file);
   // Files in the work directory are made by the run, so none may be found: /dev/null has none.
   const std::vector<std::string> command = external_command(external, definition, "/dev/null");
   for (auto argument = command.begin() + 1; argument != command.end(); ++argument)

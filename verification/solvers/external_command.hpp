@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "verification/case/case_definition.hpp"
+#include "verification/input/input_files.hpp"
 
 namespace slosh {
 
@@ -32,8 +33,8 @@ bool asks_for_tank_file(const ExternalRun& external);
 // Returns the files whose content counts as part of the run: the inputs that the case declares, and
 // each argument, or the part of it behind an "=", that names an existing file relative to the case
 // file or to the run's directory. Each file is named once. The case file itself is left out, for
-// only its physical part counts (run_key.hpp). Throws as external_command() does.
-std::vector<std::filesystem::path> external_inputs(const ExternalRun& external,
-                                                   const CaseDefinition& definition);
+// only its physical part counts (run_key.hpp). Throws as external_command() and input_files() do.
+std::vector<InputFile> external_inputs(const ExternalRun& external,
+                                       const CaseDefinition& definition);
 
 }  // namespace slosh

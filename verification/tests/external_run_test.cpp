@@ -50,6 +50,33 @@ TEST_F(ExternalRun, PassesTheGateWhereItIsRightToAPerCent) {
   EXPECT_NE(read("out/report/results.json").find("\"solver\": \"external\""), std::string::npos);
 }
 
+// What a script loads is a part of the run where `inputs` names it, and a doubt where nothing does.
+TEST_F(ExternalRun, IsComputedAgainWhereAModuleOfItsScriptChanges) {
+  std::filesystem::create_directories(directory() / "lib");
+  write("run.sh",
+        ". \"$(dirname \"$0\")/lib/k.sh\"\nexec \"" STAND_IN_SOLVER "\" \"$1\" \"$2\" scaled $k\n");
+  const std::string kind = "\"scaled\", \"1\"";
+  const auto script = [&](const std::string& more) {
+    return with(with(own_case(kind, more), "\"" STAND_IN_SOLVER "\"",
+                     "\"sh\", \"{case_directory}/run.sh\""),
+                ", " + kind, "");
+  };
+  const std::string doubt = "what sh loads is no part of its key";
+  write("lib/k.sh", "k=1.01\n");
+  write_campaign(script("inputs = [\"lib\"]\n"));
+  EXPECT_EQ(campaign().status, 0);
+  EXPECT_FALSE(holds(report_words(), doubt));
+  write("lib/k.sh", "k=1.5\n");
+  EXPECT_EQ(campaign().status, 1);
+  std::filesystem::remove(directory() / "lib" / "k.sh");
+  EXPECT_EQ(campaign().status, 2) << "there is no file in lib";
+  write("lib/k.sh", "k=1.01\n");
+  write_campaign(script(""));
+  EXPECT_EQ(campaign().status, 0);
+  EXPECT_TRUE(holds(report_words(), doubt));
+  EXPECT_TRUE(holds(tool({"check", "./small.toml"}).out, doubt));
+}
+
 // Three spacings of a program whose error falls with their square.
 std::string runs_of_method() {
   std::string text;

@@ -1,6 +1,8 @@
 // The commands import and compare as a user starts them: another program's file becomes a result,
 // and two results are compared and judged with no case at all.
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -276,6 +278,31 @@ TEST_F(ForeignResults, NeverPassWhereThereIsNothingToCompare) {
   const Ended missing = tool({"compare", "none.h5", "b.csv.h5"});
   EXPECT_EQ(missing.status, 4);
   EXPECT_NE(missing.err.find("none.h5"), std::string::npos);
+}
+
+// Ten million samples take 17 s of processor time if the memory of each array serves for the next
+// one, else 26 s. The pages that the system makes are counted, which no load of the machine
+// changes.
+TEST_F(ForeignResults, AComparisonOfLongSeriesMakesEachPageOfItsMemoryOnce) {
+  for (const char* file : {"a.csv", "b.csv"}) {
+    std::string text = "t,eta\n";
+    for (int i = 0; i < 200000; ++i) {
+      const double time = 1e-4 * i;
+      text += fmt::format("{},{}\n", time, height(time - (*file == 'a' ? 0.002 : 0)));
+    }
+    write(file, text);
+    ASSERT_EQ(tool({"import", file, "--format", "csv", "--series", "elevation@right=eta", "--time",
+                    "t", "--time-unit", "s", "--unit", "m", "-o", std::string(file) + ".h5"})
+                  .status,
+              0);
+  }
+  rusage before{}, after{};
+  getrusage(RUSAGE_CHILDREN, &before);
+  EXPECT_EQ(compare({"--frequency", "0.8"}).status, 0);
+  getrusage(RUSAGE_CHILDREN, &after);
+  const double made = static_cast<double>(after.ru_minflt - before.ru_minflt) *
+                      static_cast<double>(sysconf(_SC_PAGESIZE)) / 1024;
+  EXPECT_LT(made, 1.5 * static_cast<double>(after.ru_maxrss)) << "[KiB] of pages, of memory";
 }
 
 }  // namespace

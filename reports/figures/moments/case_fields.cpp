@@ -11,6 +11,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
 #include "reports/model/is_one_of.hpp"
+#include "reports/wording/report_places.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -172,7 +173,7 @@ std::optional<FieldFigure> case_animation(const CaseAssessment& assessment) {
   const std::vector<double> times = recorded_times(assessment, runs, wanted);
   if (times.size() < 2) return std::nullopt;
   FieldFigure figure = field_figure(assessment, times, runs);
-  figure.id = definition.name + "-animation";
+  figure.id = case_id(definition.name) + "-animation";
   figure.title = "The flow " + times_text(times);
   figure.caption = fmt::format(
       "Animation of {} moments, {:g} s apart, of the finest run of each scheme and solver.{} {}",
@@ -193,7 +194,7 @@ std::vector<FieldFigure> case_fields(const CaseAssessment& assessment) {
   for (const auto& times_shown : in_parts(times, most_rows))
     for (const auto& columns : in_parts(runs, most_columns)) {
       figures.push_back(field_figure(assessment, times_shown, columns));
-      figures.back().id = fmt::format("{}-fields-{}", definition.name, figures.size());
+      figures.back().id = fmt::format("{}-fields-{}", case_id(definition.name), figures.size());
     }
   set_side_by_side(figures);
   if (std::optional<FieldFigure> animation = case_animation(assessment))

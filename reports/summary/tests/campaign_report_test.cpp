@@ -147,6 +147,20 @@ TEST(CampaignReport, OfACaseNamedAsAnotherPageStandsBesideIt) {
   EXPECT_EQ(report.pages.at(0).id, "case-index");
 }
 
+// Names of cases that are made of another's name and what its pages, tables and figures are called.
+TEST(CampaignReport, OfCasesNamedAsPartsOfOthersHasNoIdTwice) {
+  std::vector<CaseAssessment> cases{good()};
+  for (const char* part : {"-appendix", "-gate", "-1", "-figures", "-spectrum", "-history"}) {
+    cases.push_back(good());
+    cases.back().definition.name += part;
+  }
+  for (const char* name : {"gate", "worst", "bias", "index", "case", "matrix", "across"}) {
+    cases.push_back(good());
+    cases.back().definition.name = name;
+  }
+  EXPECT_NO_THROW(reports::check_report(report_of(surge_campaign(), cases)));
+}
+
 TEST(CampaignReport, KeepsToTheReportsModel) {
   CaseAssessment second = good();
   second.definition.name = "another_surge";

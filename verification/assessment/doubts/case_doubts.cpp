@@ -14,6 +14,7 @@
 #include "verification/case/shape/sensor_place.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
+#include "verification/solvers/external_script.hpp"
 #include "verification/solvers/theory/natural_frequencies.hpp"
 
 namespace slosh {
@@ -178,6 +179,12 @@ void doubt_references(const CaseDefinition& definition, const CaseRuns& theories
   }
 }
 
+void doubt_scripts(const CaseDefinition& definition, Doubts& doubts) {
+  for (const RunDefinition& run : definition.runs)
+    if (std::string doubt = script_doubt(run, definition); !doubt.empty())
+      doubts.push_back(std::move(doubt));
+}
+
 void doubt_models(const CaseDefinition& definition, Doubts& doubts) {
   for (const ModelLimit& limit : model_limits(definition))
     if (limit.exceeded()) doubts.push_back("beyond the limit of the models: " + limit_text(limit));
@@ -192,6 +199,7 @@ std::vector<std::string> case_doubts(const CaseDefinition& definition, const Cas
   doubt_times(definition, doubts);
   doubt_models(definition, doubts);
   doubt_references(definition, theories, doubts);
+  doubt_scripts(definition, doubts);
   return doubts;
 }
 

@@ -152,5 +152,16 @@ TEST(CaseDoubts, AreOfAPressureThatTheoryDoesNotHave) {
   EXPECT_TRUE(doubts(definition, "gate row of line 7: linear has no pressure at the gauge high"));
 }
 
+TEST(CaseDoubts, TellOfAScriptWhoseModulesAreNoPartOfItsKey) {
+  CaseDefinition definition = sound_case();
+  ExternalRun external;
+  external.command = {"python3", "-m", "mine"};
+  definition.runs.push_back(sample_run(external));
+  definition.runs.back().name = "mine";
+  EXPECT_TRUE(doubts(definition, "run mine: what python3 loads is no part of its key"));
+  std::get<ExternalRun>(definition.runs.back().solver).inputs = {"mine"};
+  EXPECT_EQ(case_doubts(definition, theory(0.03)), std::vector<std::string>{});
+}
+
 }  // namespace
 }  // namespace slosh::case_doubts_test

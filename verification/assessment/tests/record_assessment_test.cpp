@@ -91,6 +91,26 @@ TEST(RecordAssessment, ComparesOverWhatTheRecordCovers) {
   EXPECT_EQ(exit_status({assessment}), exit_pass);
 }
 
+TEST(RecordAssessment, TellsHowMuchOfTheWindowTheRecordCoversAndNeedsHalfOfIt) {
+  for (const GateOutcome& outcome : assess_front(front_series(0.01)).gate)
+    EXPECT_NE(outcome.message.find("; over 60 % of the window, which the samples cover"),
+              std::string::npos)
+        << outcome.message;
+  CaseDefinition definition = dam_case();
+  RecordRun& published = std::get<RecordRun>(definition.runs[0].solver);
+  published.time.resize(4);  // to 0.6 s
+  published.value.resize(4);
+  CaseRuns runs = dam_runs(front_series(0.01));
+  runs.results["published"] =
+      result_of("published", {"front_position", "m", published.time, published.value});
+  for (const GateOutcome& outcome : assess(definition, runs).gate) {
+    EXPECT_EQ(outcome.verdict, Verdict::not_compared);
+    EXPECT_NE(outcome.message.find("the samples cover 40 % of the window; expected half"),
+              std::string::npos)
+        << outcome.message;
+  }
+}
+
 TEST(RecordAssessment, SaysThatARecordCoversNothingOfTheWindow) {
   CaseDefinition definition = dam_case();
   for (double& time : std::get<RecordRun>(definition.runs[0].solver).time) time += 5;

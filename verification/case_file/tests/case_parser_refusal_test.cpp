@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:3: title = 3: expected a text that is not empty"},
         Mistake{"NumberForInteger",
                 {"cells_x = 50", "cells_x = 50.0"},
-                "trial.toml:50: run.cells_x = 50.0: expected an integer >= 2"},
+                "trial.toml:50: run.cells_x = 50.0: expected an integer from 2 to 10000"},
         Mistake{"TextForBoolean",
                 {"quick = true", "quick = \"yes\""},
                 "trial.toml:46: run.quick = \"yes\": expected true or false"},
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:7: tags = 4: expected a text"},
         Mistake{"IntegerTooLarge",
                 {"cells_x = 50", "cells_x = 5000000000"},
-                "trial.toml:50: run.cells_x = 5000000000: expected an integer >= 2"},
+                "trial.toml:50: run.cells_x = 5000000000: expected an integer from 2 to 10000"},
         Mistake{"NotANumber",
                 {"gravity_m_s2 = 9.81", "gravity_m_s2 = nan"},
                 "trial.toml:6: gravity_m_s2 = nan: expected a number >= 0, in m/s2"},
@@ -257,7 +257,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:33: comparison.window_end_s = 0.5: expected"},
         Mistake{"NegativeModes",
                 {"natural_modes = 2", "natural_modes = -1"},
-                "trial.toml:34: comparison.natural_modes = -1: expected an integer >= 0"}),
+                "trial.toml:34: comparison.natural_modes = -1: expected an integer from 0 to 100"}),
     [](const auto& info) { return info.param.name; });
 
 // The text is inserted before [comparison], line 31: the keys stand on lines 32 to 36.
@@ -326,7 +326,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "interfoam"},
         Mistake{"NoModes",
                 {"modes = 500", "modes = 0"},
-                "trial.toml:38: run.modes = 0: expected an integer >= 1"},
+                "trial.toml:38: run.modes = 0: expected an integer from 1 to 100000"},
         Mistake{"NegativeSpacing",
                 {"e_spacing_m = 0.02", "e_spacing_m = -0.02"},
                 "trial.toml:44: run.particle_spacing_m = -0.02: expected a number > 0 and <= the "
@@ -366,10 +366,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "quick, cells_x"},
         Mistake{"OneCellAlong",
                 {"cells_x = 50", "cells_x = 1"},
-                "trial.toml:50: run.cells_x = 1: expected an integer >= 2"},
+                "trial.toml:50: run.cells_x = 1: expected an integer from 2 to 10000"},
         Mistake{"OneCellUp",
                 {"cells_z = 40", "cells_z = 1"},
-                "trial.toml:51: run.cells_z = 1: expected an integer >= 2"},
+                "trial.toml:51: run.cells_z = 1: expected an integer from 2 to 10000"},
         Mistake{"NoProcesses",
                 {"cells_z = 40", "cells_z = 40\nprocesses = 0"},
                 "trial.toml:52: run.processes = 0: expected an integer from 1 to cells_x (50)"},
@@ -502,13 +502,52 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"LimitOfAQuantityThatNoTankHolds",
                 {"mode = \"forced\"\nmetric = \"amplitude_error\"\nunit = \"1\"\nlimit = 0.05",
                  "mode = \"whole\"\nmetric = \"maximum_residual\"\nunit = \"m\"\nlimit = 1e9"},
-                "trial.toml:59: gate.limit = 1000000000.0: expected a number > 0 and below 1e+09, "
-                "in m"},
+                "trial.toml:59: gate.limit = 1000000000.0: expected a number > 0 and below 2, in m "
+                "(no elevation exceeds the tank's size"},
         Mistake{
             "RangeThatEveryNumberKeeps",
             {"limit = 0.05", "lower = -0.3\nupper = 1e300"},
             "trial.toml:60: gate.upper = 1e+300: expected a number above lower (-0.3) and below "
             "1.7, without unit (a candidate that does not move has -1)"},
+        Mistake{"RangeThatACandidateOfNothingKeeps",
+                {"limit = 0.05", "lower = -1.9\nupper = 0.05"},
+                "trial.toml:60: gate.upper = 0.05: expected a number above lower (-1.9) and below "
+                "-1, without unit, so that the range does not hold -1 (a candidate that does not "
+                "move has -1)"},
+        Mistake{"RangeThatATurnedWaveKeeps",
+                {"metric = \"amplitude_error\"\nunit = \"1\"\nlimit = 0.05",
+                 "metric = \"phase_lag\"\nunit = \"deg\"\nlower = -179\nupper = 180.9"},
+                "trial.toml:60: gate.upper = 180.9: expected a number above lower (-179) and below "
+                "180, in deg, so that the range does not hold 180"},
+        Mistake{
+            "RangeThatATurnedWaveKeepsOnTheOtherSide",
+            {"metric = \"amplitude_error\"\nunit = \"1\"\nlimit = 0.05",
+             "metric = \"phase_lag\"\nunit = \"deg\"\nlower = -190\nupper = 5"},
+            "trial.toml:60: gate.upper = 5: expected a number above lower (-190) and below -180"},
+        Mistake{"RangeOfAPressureThatNoTankHolds",
+                {"mode = \"forced\"\nmetric = \"amplitude_error\"\nunit = \"1\"\nlimit = 0.05",
+                 "mode = \"whole\"\nmetric = \"mean_offset\"\nunit = \"m\"\nlower = -9\nupper = "
+                 "0.1"},
+                "trial.toml:60: gate.upper = 0.1: expected a number above lower (-9) and below -5, "
+                "in m"},
+        Mistake{"TooManyModes",
+                {"modes = 500", "modes = 2000000000"},
+                "trial.toml:38: run.modes = 2000000000: expected an integer from 1 to 100000"},
+        Mistake{"TheoryThatMayAlwaysJudge",
+                {"depth = 0.1", "depth = 1e308"},
+                "trial.toml:39: run.valid_elevation_over_depth = 1e+308: expected a number > 0 and "
+                "< 1, in fill depths: a trough of one bares the bottom"},
+        Mistake{"TooManySamples",
+                {"interval_s = 0.01", "interval_s = 1e-9"},
+                "trial.toml:24: time.sample_interval_s = 1e-09: expected a number > 0 and <= the "
+                "duration (20), in s, and >= 2e-06, for at most ten million samples"},
+        Mistake{"TooManyParticles",
+                {"particle_spacing_m = 0.02", "particle_spacing_m = 1e-7"},
+                "trial.toml:44: run.particle_spacing_m = 1e-07: expected a number > 0 and <= the "
+                "fill depth (0.5), in m, and >= 0.000316, the spacing of ten million particles"},
+        Mistake{"SoundSlowerThanTheLiquid",
+                {"quick = true", "quick = true\nsound_speed_ratio = 0.001"},
+                "trial.toml:47: run.sound_speed_ratio = 0.001: expected a number >= 1 and <= 1000"},
         Mistake{"SecondBoundOnTheSame",
                 {"source = \"a source\"\n",
                  "source = \"a source\"\n[[gate]]\ncandidate = \"coarse\"\nreference = "

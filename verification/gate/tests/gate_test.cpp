@@ -120,6 +120,33 @@ TEST(Gate, DoesNotPassOnWhatTheReferencesSamplesDoNotTell) {
   EXPECT_EQ(judge(amplitude_row, comparison).verdict, Verdict::pass);  // of each series' own fit
 }
 
+TEST(Gate, DoesNotPassOnDoubtfulReadings) {
+  Comparison comparison = comparison_of(0);
+  comparison.doubts = {"the values of the candidate lie 0.01 m apart"};
+  GateRow row = amplitude_row;
+  EXPECT_EQ(judge(row, comparison).verdict, Verdict::inconclusive);
+  EXPECT_NE(judge(row, comparison).message.find("; doubtful: the values of the candidate"),
+            std::string::npos);
+  row.kind = RowKind::regression;
+  EXPECT_EQ(judge(row, comparison).verdict, Verdict::pass);
+}
+
+TEST(Gate, TellsTheCoverageOfTheWindowAndRefusesLessThanHalf) {
+  Comparison comparison = comparison_of(0);
+  comparison.covered = 0.7;
+  EXPECT_EQ(judge(amplitude_row, comparison).verdict, Verdict::pass);
+  EXPECT_NE(judge(amplitude_row, comparison).message.find("; over 70 % of the window"),
+            std::string::npos);
+  comparison.covered = 0.31;
+  GateRow row = amplitude_row;
+  row.kind = RowKind::regression;
+  EXPECT_EQ(judge(row, comparison).verdict, Verdict::not_compared);
+  EXPECT_NE(judge(row, comparison)
+                .message.find("the samples cover 31 % of the window; expected "
+                              "half of it or more"),
+            std::string::npos);
+}
+
 TEST(Gate, MeasuresAgainstAConstantReferenceWhatNeedsNoVariation) {
   Comparison comparison = comparison_of(0);
   comparison.reference_is_constant = true;

@@ -137,5 +137,20 @@ TEST(UnseenInterval, OfTheCandidateHidesNoErrorElsewhere) {
   EXPECT_GT(compare(few, reference, window, {}).maximum_residual, 50);
 }
 
+TEST(CoveredShare, LeavesOutGapsHolesAtTheEdgesAndWhatIsBeyondTheSeries) {
+  const auto whole = sampled(pressure, -1, 21, 0.01);
+  const TimeWindow all{0, 20};
+  EXPECT_EQ(covered_share(whole, all), 1);
+  EXPECT_EQ(covered_share(sampled(pressure, 0, 19.99, 0.01), all), 1);
+  EXPECT_NEAR(covered_share(without(whole, 2, 18), all), 0.2, 0.002);
+  EXPECT_NEAR(covered_share(without(whole, -0.5, 5), all), 0.75, 0.002) << "at the begin";
+  EXPECT_NEAR(covered_share(without(whole, 13, 20.5), all), 0.65, 0.002) << "at the end";
+  EXPECT_NEAR(covered_share(sampled(pressure, 0, 6, 0.01), all), 0.3, 0.002);
+  TimeSeries bursts = whole;
+  for (int i = 0; i < 4; ++i) bursts = without(bursts, 5 * i + 0.5, 5 * i + 4.9);
+  EXPECT_NEAR(covered_share(bursts, all), 0.12, 0.01);
+  EXPECT_EQ(covered_share(sampled(pressure, 0, 20, 2.5), all), 1) << "few, but no gap";
+}
+
 }  // namespace
 }  // namespace slosh::unseen_interval_test

@@ -513,5 +513,33 @@ TEST_F(SphRunOfACase, LeavesNoSnapshotsWhereTheyAreRefused) {
   EXPECT_TRUE(fs::is_empty(directory.path()));
 }
 
+// The start of such a run leaves the scheme's range before its first step.
+TEST(RequireRunnable, NamesTheRunWhoseStartFails) {
+  RunDefinition run = sample_run(SphRun{"recommended", 0.05, 0.05});
+  std::get<SphRun>(run.solver).numbers.sound_speed_ratio = 0.001;
+  run.name = "slow_sound";
+  try {
+    require_runnable(sample_case(), run);
+    FAIL() << "sound is a thousand times slower than the liquid";
+  } catch (const CaseFileError& error) {
+    EXPECT_NE(std::string(error.what()).find("run slow_sound: the start fails: "),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Execute, NamesTheRunThatNeedsMoreMemoryThanThereIs) {
+  CaseDefinition definition = sample_case();
+  RunDefinition run = sample_run(LinearRun{.modes = 2000000000});
+  run.name = "endless";
+  try {
+    execute(definition, run, {}, [](double, double) {});
+    FAIL() << "two thousand million modes";
+  } catch (const SolverError& error) {
+    EXPECT_NE(std::string(error.what()).find("endless: it needs more memory"), std::string::npos)
+        << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace slosh::run_case_test

@@ -329,6 +329,33 @@ TEST_F(RunKey, OfAnExternalRunChangesWithItsProgramItsInputsAndWhatIsReadOfIt) {
   EXPECT_FALSE(asks_the_same(key_of(external), before));
 }
 
+TEST_F(RunKey, OfAnExternalRunChangesWithWhatLiesBelowADirectoryOfItsInputs) {
+  const std::filesystem::path modules = directory.path() / "modules";
+  std::filesystem::create_directories(modules / "deep");
+  const auto write = [&](const char* name, const char* text) {
+    std::ofstream(modules / name) << text;
+  };
+  write("a.py", "first");
+  write("deep/b.py", "first");
+  CaseDefinition definition = sample_case();
+  definition.file = directory.path() / "small.toml";
+  ExternalRun external;
+  external.command = {"python3", "-m", "a"};
+  external.inputs = {modules};
+  external.series = {{"elevation@right", "swl.csv", "csv", "eta"}};
+  const auto changed_by = [&](const auto& change) {
+    const std::string before = key(definition, sample_run(external));
+    change();
+    return !asks_the_same(key(definition, sample_run(external)), before);
+  };
+  EXPECT_TRUE(changed_by([&] { write("deep/b.py", "second"); }));
+  EXPECT_TRUE(changed_by([&] { write("deep/c.py", ""); }));
+  EXPECT_TRUE(changed_by([&] { std::filesystem::remove(modules / "a.py"); }));
+  EXPECT_TRUE(changed_by(
+      [&] { std::filesystem::rename(modules / "deep" / "b.py", modules / "deep" / "d.py"); }));
+  EXPECT_FALSE(changed_by([&] { write(".hidden", "first"); }));
+}
+
 TEST_F(RunKey, OfAStoredResultChangesWithEachOfItsFiles) {
   const std::filesystem::path facts = directory.path() / "cost.json",
                               series = directory.path() / "swl.csv";

@@ -1,0 +1,61 @@
+#include "verification/input/input_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "verification/tests/temporary_directory.hpp"
+
+namespace slosh::input_files_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class InputFiles : public ::testing::Test {
+ protected:
+  InputFiles() {
+    fs::create_directories(in() / "src" / "deep");
+    fs::create_directories(in() / "src" / "__pycache__");
+    fs::create_directories(in() / "src" / ".git");
+    for (const char* file : {"src/b.py", "src/a.py", "src/deep/c.py", "src/__pycache__/a.pyc",
+                             "src/.git/index", "src/.hidden", "one.cfg", "two.cfg"})
+      std::ofstream(in() / file) << file;
+  }
+  const fs::path& in() const { return directory_.path(); }
+  std::vector<std::string> names(const char* path) const {
+    std::vector<std::string> found;
+    for (const InputFile& one : input_files(in() / path)) found.push_back(one.name);
+    return found;
+  }
+  using Names = std::vector<std::string>;
+
+ private:
+  TemporaryDirectory directory_;
+};
+
+TEST_F(InputFiles, OfADirectoryAreAllBelowItInOrderWithoutHiddenOnesAndCaches) {
+  EXPECT_EQ(names("src"), (Names{"a.py", "b.py", "deep/c.py"}));
+  EXPECT_EQ(names("src/"), (Names{"a.py", "b.py", "deep/c.py"}));
+  EXPECT_EQ(names("src/.hidden"), Names{".hidden"});
+}
+
+TEST_F(InputFiles, OfAPatternAreThoseThatMatchIt) {
+  EXPECT_EQ(names("*.cfg"), (Names{"one.cfg", "two.cfg"}));
+  EXPECT_EQ(names("s?c"), (Names{"a.py", "b.py", "deep/c.py"}));
+  EXPECT_EQ(names("*.absent"), Names{});
+  EXPECT_EQ(names("absent"), Names{});
+  std::ofstream(in() / "odd[1].cfg") << "";
+  EXPECT_EQ(names("odd[1].cfg"), Names{"odd[1].cfg"});
+}
+
+TEST_F(InputFiles, BehindLinksCountAndACircleOfLinksEnds) {
+  fs::create_directory_symlink(in() / "src", in() / "src" / "deep" / "again");
+  fs::create_directories(in() / "elsewhere");
+  std::ofstream(in() / "elsewhere" / "d.py") << "";
+  fs::create_directory_symlink(in() / "elsewhere", in() / "src" / "linked");
+  fs::create_symlink(in() / "nowhere", in() / "src" / "dangling.py");
+  EXPECT_EQ(names("src"), (Names{"a.py", "b.py", "deep/c.py", "linked/d.py"}));
+}
+
+}  // namespace
+}  // namespace slosh::input_files_test

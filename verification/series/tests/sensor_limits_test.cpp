@@ -1,0 +1,76 @@
+#include "verification/series/sensor_limits.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verification/tests/synthetic_series.hpp"
+
+namespace slosh::sensor_limits_test {
+namespace {
+
+constexpr double period = 1.37;
+
+double wave(double t) { return std::sin(two_pi / period * t + 0.4); }
+
+double in_steps(double value, double step) { return std::round(value / step) * step; }
+
+TEST(SensorLimits, FindTheStepOfAnySensorOfFewLevels) {
+  for (const double step : {1.0, 0.5, 0.13, 0.05, 0.025})
+    for (const double interval : {0.001, 0.01, 0.05}) {
+      const auto read = [&](double t) { return 0.3 + in_steps(wave(t), step); };
+      const SensorLimits found = sensor_limits(sampled(read, 0, 40, interval));
+      ASSERT_TRUE(found.step) << step << " " << interval;
+      EXPECT_NEAR(*found.step, step, 1e-9);
+    }
+}
+
+// Written with six digits, the levels are no exact multiples of the step.
+TEST(SensorLimits, FindTheStepOfRoundedLevels) {
+  const auto read = [](double t) { return in_steps(in_steps(wave(t), 1.0 / 3), 1e-6); };
+  EXPECT_NEAR(sensor_limits(sampled(read, 0, 40)).step.value(), 1.0 / 3, 1e-5);
+}
+
+TEST(SensorLimits, DoNotDoubtFineStepsOrValuesThatRecurWithThePeriod) {
+  for (const double step : {0.0199, 0.01, 1e-4, 1e-9})
+    for (const double interval : {0.0005, 0.01, 0.05, period / 20, period / 10, period / 16}) {
+      const SensorLimits found = sensor_limits(
+          sampled([&](double t) { return in_steps(wave(t), step); }, 0, 40, interval));
+      EXPECT_FALSE(found.step) << step << " " << interval;
+      EXPECT_FALSE(found.highest) << step << " " << interval;
+      EXPECT_FALSE(found.lowest) << step << " " << interval;
+    }
+}
+
+TEST(SensorLimits, MeasureWhatAClippedCrestHides) {
+  for (const double cut : {0.05, 0.12, 0.3})
+    for (const double interval : {0.001, 0.01, 0.02}) {
+      const auto read = [&](double t) { return std::min(wave(t), 1 - cut); };
+      const SensorLimits found = sensor_limits(sampled(read, 0, 40, interval));
+      ASSERT_TRUE(found.highest) << cut << " " << interval;
+      EXPECT_NEAR(found.highest->hidden, cut, 0.35 * cut + 0.03) << interval;
+      EXPECT_EQ(found.highest->value, 1 - cut);
+      EXPECT_FALSE(found.lowest);
+    }
+}
+
+TEST(SensorLimits, FindAClippedTroughAndASingleClippedImpact) {
+  EXPECT_TRUE(
+      sensor_limits(sampled([](double t) { return std::max(wave(t), -0.9); }, 0, 40)).lowest);
+  const auto impact = [](double t) {
+    return std::min(3.0, 5 * std::exp(-(t - 7) * (t - 7) / 0.01));
+  };
+  EXPECT_TRUE(sensor_limits(sampled(impact, 0, 10, 0.005)).highest);
+}
+
+TEST(SensorLimits, DoNotTakeARestBeforeOrAfterTheMotionForACrest) {
+  const auto front = [](double t) { return std::clamp(t - 2, 0.0, 3.0); };
+  const SensorLimits found = sensor_limits(sampled(front, 0, 8));
+  EXPECT_FALSE(found.highest);
+  EXPECT_FALSE(found.lowest);
+  EXPECT_FALSE(sensor_limits(sampled([](double) { return 2.0; }, 0, 8)).step);
+}
+
+}  // namespace
+}  // namespace slosh::sensor_limits_test

@@ -1,0 +1,60 @@
+#include "verification/solvers/external_script.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string_view>
+
+#include "verification/solvers/external_command.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Names, and what versions follow: python3.11.
+bool is_interpreter(const std::string& word) {
+  static constexpr std::array<std::string_view, 17> names{
+      "python", "pypy", "bash", "sh",  "dash",  "zsh",    "ksh",     "perl",  "ruby",
+      "julia",  "node", "java", "lua", "tclsh", "octave", "Rscript", "matlab"};
+  std::string name = fs::path(word).filename().string();
+  name.erase(std::find_if(name.begin(), name.end(),
+                          [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; }),
+             name.end());
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool begins_as_script(const fs::path& file) {
+  std::error_code none;
+  if (!fs::is_regular_file(file, none)) return false;
+  char head[2] = {};
+  return std::ifstream(file, std::ios::binary).read(head, 2) && head[0] == '#' && head[1] == '!';
+}
+
+}  // namespace
+
+std::string unlisted_script(const ExternalRun& external, const CaseDefinition& definition) {
+  if (!external.inputs.empty() || external.command.front().starts_with("{peers_directory}"))
+    return "";
+  for (const std::string& word : external.command)
+    if (is_interpreter(word)) return word;
+  std::vector<fs::path> files{external_program(external, definition)};
+  for (InputFile& input : external_inputs(external, definition)) files.push_back(input.file);
+  for (const fs::path& file : files)
+    if (begins_as_script(file)) return file.filename().string();
+  return "";
+}
+
+std::string script_doubt(const RunDefinition& run, const CaseDefinition& definition) {
+  const auto* external = std::get_if<ExternalRun>(&run.solver);
+  const std::string script = external ? unlisted_script(*external, definition) : "";
+  if (script.empty()) return "";
+  return fmt::format(
+      "run {}: what {} loads is no part of its key: its result is kept when that changes; `inputs` "
+      "would name it",
+      run.name, script);
+}
+
+}  // namespace slosh
