@@ -14,7 +14,7 @@
 
 #include "verification/campaign/campaign_run.hpp"
 #include "verification/cli/command_tree.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/runs/run_case.hpp"

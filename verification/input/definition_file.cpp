@@ -9,7 +9,7 @@
 #include <system_error>
 #include <vector>
 
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 

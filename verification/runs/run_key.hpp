@@ -27,8 +27,8 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
                     const std::filesystem::path& builds,
                     const std::filesystem::path& openfoam_templates);
 
-// Makes the files that an external or a stored run reads inputs of this process (input_files.hpp).
-// run_key() does so too.
+// Makes the files that an external or a stored run reads inputs of this process
+// (protected_inputs.hpp). run_key() does so too.
 void protect_inputs(const CaseDefinition& definition, const RunDefinition& run);
 
 // The second halves of the keys of all results that these builds and the installed OpenFOAM give.

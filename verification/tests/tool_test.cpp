@@ -190,22 +190,6 @@ TEST_F(Tool, TellsWhatANameOnTheCommandLineMayBe) {
                     "--launcher: slrum: expected an engine, one of ninja, slurm; nearest: slurm"));
 }
 
-TEST_F(Tool, JudgesAgainWhereWhatItLeftOfItsVerdictIsNone) {
-  write_campaign(particles_case);
-  const Ended first = campaign();
-  ASSERT_EQ(first.status, 0) << first.err;
-  for (const char* text :
-       {"[1]", "5", "{\"out\": 5}", R"({"fingerprint": 1, "status": "x", "out": []})",
-        R"({"fingerprint": "", "status": 1e300, "out": ""})", "{\"out\": "}) {
-    write("out/standing.json", text);
-    const Ended again = campaign();
-    EXPECT_EQ(again.status, 0) << text << again.err;
-    EXPECT_EQ(again.out, first.out) << text;
-    EXPECT_TRUE(holds(again.err, "out/standing.json: no verdict of an earlier start can be read"));
-  }
-  EXPECT_EQ(campaign().err, "");
-}
-
 TEST_F(Tool, EndsWithTwoAndTheNearestNamesWhereThereIsNoSuchCaseCampaignOrRun) {
   EXPECT_TRUE(holds(tool({"campaign", "smal_amplitude"}).err, "small_amplitude"));
   EXPECT_EQ(tool({"campaign", "smal_amplitude"}).status, 2);

@@ -16,12 +16,11 @@
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/campaign/known_drawings.hpp"
 #include "verification/cli/campaign/assessed_campaign.hpp"
-#include "verification/cli/campaign/cached_verdict.hpp"
 #include "verification/cli/campaign/campaign_history.hpp"
 #include "verification/cli/campaign/report_of_all.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 #include "verification/sensitivity/sensitivity_cache.hpp"
@@ -38,18 +37,6 @@ void require_possible(const CampaignOptions& options, const CampaignSettings& se
   if (options.resume && !fs::exists(settings.output / "jobs"))
     throw CaseFileError(fmt::format("--resume: expected an earlier start of this campaign in {}",
                                     settings.output.string()));
-}
-
-// Returns whether another start would find nothing to run.
-bool is_settled(const AssessedCampaign& assessed) {
-  const auto settled = [](const RunStatus& status) {
-    return status.state != RunState::failed && status.state != RunState::missing;
-  };
-  for (const CaseAssessment& one : assessed.cases)
-    for (const auto& [run, status] : one.runs.status)
-      if (!settled(status)) return false;
-  return std::all_of(assessed.problems.begin(), assessed.problems.end(),
-                     [&](const ProblemAssessment& one) { return settled(one.run.status); });
 }
 
 fs::path page_in(const fs::path& place) { return place / "report/index.html"; }
@@ -90,22 +77,12 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
     return exit_pass;
   }
   const fs::path place = campaign.place;
-  const std::string judge = content_hash(read_bytes(campaign.settings.executable));
-  const auto fingerprint = [cases = campaign.cases, settings = campaign.settings,
-                            definition = campaign.definition,
-                            judge] { return fingerprint_of(definition, cases, settings, judge); };
   require_no_input(place / "report");
-  if (const auto cached = read_cached_verdict(place);
-      cached && cached->fingerprint == fingerprint()) {
-    print_lines(cached->out);
-    return requested_exit(cached->status, options);
-  }
+  const std::string judge = content_hash(read_bytes(campaign.settings.executable));
   const CampaignPast past{campaign.settings.store, campaign.definition.name + form_of(options)};
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   std::cerr << complaints(assessed.cases, assessed.problems);
-  const std::string rows = gate_lines(assessed.cases, assessed.problems);
-  print_lines(rows);
-  forget_cached_verdict(place);
+  print_lines(gate_lines(assessed.cases, assessed.problems));
   if (options.solve && !options.selection.is_partial()) keep_state(assessed, past);
   leave_report(assessed, options,
                {past, name_or_path(assessed.definition.file, installation.campaigns), judge});
@@ -117,10 +94,7 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                                  cost_sentence(assessed.cases, assessed.problems),
                                  fmt::format("report: {}\n", page_in(place).string())};
   std::erase(lines, "");
-  const std::string verdict = fmt::format("{}", fmt::join(lines, "\n"));
-  print_lines(verdict);
-  if (const auto now = fingerprint(); now && is_settled(assessed))
-    write_cached_verdict({*now, status, rows + verdict}, place);
+  print_lines(fmt::format("{}", fmt::join(lines, "\n")));
   return requested_exit(status, options);
 }
 

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 
 namespace slosh {
 namespace {
