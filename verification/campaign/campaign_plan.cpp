@@ -141,7 +141,7 @@ void show_result(const fs::path& result, const fs::path& link) {
   const fs::path shown = fs::read_symlink(link, none);
   if (shown == result) return;
   if (none != std::errc::no_such_file_or_directory && !is_named_by_key(shown)) {
-    std::cerr << fmt::format("{} is kept, as no link of a campaign: it does not show {}\n",
+    std::cerr << fmt::format("{} is kept, as no campaign has made it: it is no link to {}\n",
                              link.string(), result.string());
     return;
   }

@@ -18,7 +18,7 @@
 #include "verification/engine/launcher.hpp"
 #include "verification/engine/slurm_engine.hpp"
 #include "verification/files/file_lock.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/results/result_seals.hpp"
 #include "verification/results/timings.hpp"

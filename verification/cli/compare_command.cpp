@@ -22,7 +22,7 @@
 #include "verification/cli/stored_run.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/files/atomic_file.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/gate/measured_value.hpp"
 #include "verification/import/import_series.hpp"

@@ -16,7 +16,7 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
 #include "verification/texts/convergence_text.hpp"

@@ -6,7 +6,7 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/stored_run.hpp"
 #include "verification/files/atomic_file.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/texts/series_csv.hpp"
 

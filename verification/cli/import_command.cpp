@@ -11,7 +11,7 @@
 #include "verification/case/quantities.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/content_hash.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/files/shell_word.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/import/file_formats.hpp"

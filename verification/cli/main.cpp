@@ -15,7 +15,7 @@
 #include "reports/model/legible_text.hpp"
 #include "verification/campaign/campaign_run.hpp"
 #include "verification/cli/command_tree.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/runs/run_case.hpp"

@@ -13,7 +13,7 @@
 #include "verification/cli/stored_run.hpp"
 #include "verification/display/run_display.hpp"
 #include "verification/files/atomic_file.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/runs/expected_cost.hpp"

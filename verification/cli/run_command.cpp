@@ -20,7 +20,7 @@
 #include "verification/cli/stored_run.hpp"
 #include "verification/display/run_display.hpp"
 #include "verification/engine/run_job.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/problems/problem_list.hpp"
 #include "verification/results/progress_file.hpp"

@@ -24,7 +24,7 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/installation.hpp"
 #include "verification/files/atomic_file.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 
 namespace slosh {
 namespace {

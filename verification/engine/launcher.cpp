@@ -9,7 +9,7 @@
 #include "verification/engine/job_list.hpp"
 #include "verification/engine/ninja_engine.hpp"
 #include "verification/engine/slurm_engine.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 
 namespace slosh {
 namespace {

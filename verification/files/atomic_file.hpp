@@ -12,7 +12,7 @@ enum class Durability { process_crash, power_loss };
 
 // Writes to a temporary file in the same directory (made if needed) and renames it. Follows
 // symbolic links, which stay. Writes into a device or a pipe as it is. Throws OutputError
-// (input_files.hpp) where the file is an input of this process, and
+// (protected_inputs.hpp) where the file is an input of this process, and
 // std::filesystem::filesystem_error; the temporary file is then removed and the old content
 // unchanged.
 void replace_file(const std::filesystem::path& file, std::string_view content,

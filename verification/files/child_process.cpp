@@ -22,7 +22,7 @@
 
 #include "verification/files/bound_cores.hpp"
 #include "verification/files/file_lock.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 
 namespace slosh {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "verification/files/foreign/plain_file.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 

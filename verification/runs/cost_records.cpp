@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 
 namespace slosh {
 namespace {

@@ -9,7 +9,7 @@
 #include "verification/case/gap_friction.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/files/content_hash.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/solvers/external_command.hpp"
 

@@ -31,8 +31,9 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
 // ensembles of these names, as they enter the questions of their keys, but not of the content of a
 // program's files.
 std::string setup_hash(const CaseDefinition& definition, const std::set<std::string>& names);
-// Makes the files that an external or a stored run reads inputs of this process (input_files.hpp).
-// run_key() does so too.
+
+// Makes the files that an external or a stored run reads inputs of this process
+// (protected_inputs.hpp). run_key() does so too.
 void protect_inputs(const CaseDefinition& definition, const RunDefinition& run);
 
 // The second halves of the keys of all results that these builds and the installed OpenFOAM give.

@@ -20,7 +20,7 @@
 #include "verification/cli/campaign/report_of_all.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 #include "verification/sensitivity/sensitivity_cache.hpp"
@@ -77,8 +77,8 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
     return exit_pass;
   }
   const fs::path place = campaign.place;
-  const std::string judge = content_hash(read_bytes(campaign.settings.executable));
   require_no_input(place / "report");
+  const std::string judge = content_hash(read_bytes(campaign.settings.executable));
   const CampaignPast past{campaign.settings.store, campaign.definition.name + form_of(options)};
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   std::cerr << complaints(assessed.cases, assessed.problems);

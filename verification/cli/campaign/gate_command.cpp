@@ -9,7 +9,7 @@
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/cli/campaign/gate_files.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/texts/assessment_text.hpp"
 
 namespace slosh {

@@ -11,7 +11,7 @@
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/files/atomic_file.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 
 namespace slosh {

@@ -11,9 +11,8 @@
 #include "reports/summary/recorded_campaigns.hpp"
 #include "sph/threads.hpp"
 #include "verification/cli/campaign/assessed_campaign.hpp"
-#include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 
 namespace slosh {

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "verification/files/foreign/plain_file.hpp"
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 
 namespace slosh {
 namespace {

@@ -1,4 +1,4 @@
-#include "verification/files/input_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 
 #include <algorithm>
 #include <mutex>
@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 // By their paths without links. The files are compared anew at each output, because an editor may
 // have put another file under the same name.
-class InputFiles {
+class ProtectedInputs {
  public:
   void add(const fs::path& file) {
     std::error_code absent;
@@ -30,8 +30,8 @@ class InputFiles {
   std::set<fs::path> places_;
 };
 
-InputFiles& input_files() {
-  static InputFiles files;
+ProtectedInputs& protected_inputs() {
+  static ProtectedInputs files;
   return files;
 }
 
@@ -42,13 +42,13 @@ bool lies_below(const fs::path& file, const fs::path& directory) {
 
 }  // namespace
 
-void protect_input(const fs::path& file) { input_files().add(file); }
+void protect_input(const fs::path& file) { protected_inputs().add(file); }
 
 void require_no_input(const fs::path& output) {
   std::error_code absent;
   const fs::path place = fs::canonical(output, absent);
   if (absent) return;
-  for (const fs::path& input : input_files().all())
+  for (const fs::path& input : protected_inputs().all())
     if (fs::equivalent(input, place, absent) || lies_below(input, place))
       throw OutputError(output.string() + ": expected another place for an output, as " +
                         (input == place ? "" : input.string() + ", which lies there, ") +
