@@ -29,6 +29,10 @@ json read_object(const fs::path& file) {
     throw CaseFileError(file.string() + ": expected a file that the program writes");
   std::vector<std::string> keys;
   std::string twice;
+  constexpr std::uintmax_t largest = 1'000'000;  // [byte], of some 20 numbers and texts
+  if (fs::is_regular_file(file) && fs::file_size(file) > largest)
+    throw CaseFileError(fmt::format("{}: {} bytes: expected at most {}", file.string(),
+                                    fs::file_size(file), largest));
   const auto look = [&](int depth, auto event, const json& parsed) {
     if (event != json::parse_event_t::key || depth != 1) return true;
     const std::string key = parsed.get<std::string>();

@@ -32,7 +32,7 @@ void require_left_in(const fs::path& directory, const fs::path& file) {
   const bool is_in =
       !lost &&
       std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
-  if (!is_in || !is_plain_file(real))
+  if (!is_in || fs::is_symlink(directory) || !is_plain_file(real))
     throw CaseFileError(file.string() +
                         ": expected a regular file in the work directory; it is a link that leads "
                         "out of it, or a pipe, a socket or a device");

@@ -77,6 +77,10 @@ TEST_F(Intruders, LeaveNothingThatIsReadInThePlaceOfAFile) {
       {"ln -s /dev/zero wave.csv", "", no_file},
       {"mkdir -p wave/0; ln -s \"$0\"/outside.csv wave/0/wave.csv; ln -s wave/0/wave.csv .", "",
        no_file},
+      {"rm -r ../mine.external; ln -s \"$0\" ../mine.external; cp \"$0\"/outside.csv "
+       "\"$0\"/wave.csv",
+       "", no_file},
+      {solve + "truncate -s 1T cost.json", facts, "1099511627776 bytes: expected at most"},
       {"rm ../mine.external.log; mkfifo ../mine.external.log", "", "in the place of its log"},
       {"ln -sf /proc/self/environ ../mine.external.log; exit 1", "", "it said nothing"},
       {solve + "ln -sf /dev/zero ../mine.external.log", "fail_on = [\"a\"]\n",

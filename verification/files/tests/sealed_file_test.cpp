@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <functional>
 
 #include "verification/files/content_hash.hpp"
 #include "verification/fuzz/memory_file.hpp"
 #include "verification/results/result_file.hpp"
 #include "verification/solvers/particles/state_file.hpp"
+#include "verification/tests/hdf5_attacks.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::sealed_file_test {
@@ -63,6 +65,12 @@ class SealedFile : public ::testing::TestWithParam<Kind> {
     return "";
   }
 
+  // The content under a seal that fits, as one who means harm would make it.
+  std::string resealed(const std::string& image) const {
+    return image + "\n" + GetParam().seal + content_hash(image) + "\n";
+  }
+  std::string image() const { return bytes.substr(0, bytes.rfind("\nslosh ")); }
+
   MemoryFile memory;  // tens of thousands of writes
   const std::string name = memory.path().string();
   const std::string bytes;
@@ -115,6 +123,35 @@ TEST_P(SealedFile, IsRefusedForAnyOtherKind) {
     if (other.name == GetParam().name) continue;
     EXPECT_NE(refusal(written_by(other)).find("foreign"), std::string::npos) << other.name;
   }
+}
+
+TEST_P(SealedFile, IsRefusedWhereItLeadsIntoAnotherFileThoughItsChecksumFits) {
+  const hdf5::QuietErrors quiet;
+  const TemporaryDirectory directory;
+  write_secrets(directory.path());
+  const fs::path file = directory.path() / "a.h5";
+  for (const Hdf5Attack& attack : hdf5_attacks(directory.path())) {
+    std::ofstream(file, std::ios::binary) << image();
+    {
+      const hdf5::Handle root(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "open");
+      attack.plant(root, "way");
+    }
+    EXPECT_NE(refusal(resealed(read_bytes(file))).find(attack.refusal), std::string::npos)
+        << attack.name;
+  }
+}
+
+TEST_P(SealedFile, CrashesNoReaderWhereAByteIsChangedThoughItsChecksumFits) {
+  int refused = 0;
+  for (std::size_t i = 0; i < 150; ++i) {
+    std::string altered = image();
+    const std::size_t at = 97 * i % std::min<std::size_t>(altered.size(), 8192);
+    altered[at] = static_cast<char>(altered[at] ^ (i % 3 == 0 ? 0xff : 1 << (i % 8)));
+    const std::string words = refusal(resealed(altered));
+    refused += !words.empty();
+    if (!words.empty()) EXPECT_NE(words.find(name), std::string::npos) << words;
+  }
+  EXPECT_GT(refused, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(EachKind, SealedFile, ::testing::ValuesIn(kinds),
