@@ -51,10 +51,7 @@ RunResult theory_result(const CaseDefinition& definition, const RunDefinition& r
                         const ResultStore& store, const Installation& installation) {
   const std::string key =
       run_key(definition, run, installation.builds, installation.openfoam_templates);
-  try {
-    return read_stored(store.file(key, ".h5"), read_result);
-  } catch (const ResultError&) {  // it is not there
-  }
+  if (std::optional<RunResult> kept = kept_run(store, key)) return *std::move(kept);
   const std::string command = "./slosh run " + name_or_path(definition.file, installation.cases) +
                               " " + run.name + " --output " + run.name + ".h5";
   const RunResult result = computed(definition, run,

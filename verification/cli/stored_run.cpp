@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <optional>
 
 #include "reports/model/legible_text.hpp"
 #include "verification/results/timings.hpp"
@@ -13,15 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns whether the key has a usable result, and did not fail when it was last tried.
+// Returns the usable result of the key, unless the run failed when it was last tried.
 template <class Read>
-bool stands(const ResultStore& store, const std::string& key, const char* extension,
-            const Read& read) try {
-  if (read_failure(store.file(key, failure_extension))) return false;
-  read_stored(store.file(key, extension), read);
-  return true;
+auto kept(const ResultStore& store, const std::string& key, const char* extension, const Read& read)
+    -> std::optional<decltype(read(store.root()))> try {
+  if (read_failure(store.file(key, failure_extension))) return std::nullopt;
+  return read_stored(store.file(key, extension), read);
 } catch (const ResultError&) {
-  return false;
+  return std::nullopt;
 }
 
 void record_failure(const ResultStore& store, const std::string& key, const RunFailure& why) try {
@@ -57,7 +57,7 @@ void keep(const ResultStore& store, const std::string& key, const char* extensio
           Write write, const std::function<Result()>& compute) {
   const StoreLock lock(store, key);
   const fs::path file = store.file(key, extension);
-  if (!stands(store, key, extension, read)) try {
+  if (!kept(store, key, extension, read)) try {
       write(compute(), file);
       fs::remove(store.file(key, failure_extension));  // of an earlier attempt
     } catch (const SolverError& error) {
@@ -68,6 +68,10 @@ void keep(const ResultStore& store, const std::string& key, const char* extensio
 }
 
 }  // namespace
+
+std::optional<RunResult> kept_run(const ResultStore& store, const std::string& key) {
+  return kept(store, key, ".h5", read_result);
+}
 
 void keep_run(const ResultStore& store, const std::string& key,
               const std::function<RunResult()>& compute) {
@@ -81,7 +85,7 @@ void keep_problem(const ResultStore& store, const std::string& key,
 
 void keep_copy(const ResultStore& store, const std::string& key, const RunResult& result) {
   if_free(store, key, [&] {
-    if (stands(store, key, ".h5", read_result)) return;
+    if (kept_run(store, key)) return;
     write_result(result, store.file(key, ".h5"));
     fs::remove(store.file(key, failure_extension));
   });

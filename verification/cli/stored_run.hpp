@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "verification/problems/problem_result.hpp"
 #include "verification/results/result_file.hpp"
@@ -9,6 +10,10 @@
 #include "verification/results/run_failure.hpp"
 
 namespace slosh {
+
+// Returns the usable result of the key. Returns nullopt where there is none, and where the run
+// failed when it was last tried.
+std::optional<RunResult> kept_run(const ResultStore& store, const std::string& key);
 
 // Compute a result and keep it under the key. They wait until this process holds the key, and
 // compute nothing if a usable result is there by then. Throw what `compute` and write_result()

@@ -170,7 +170,7 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
 std::string setup_hash(const CaseDefinition& definition, const std::set<std::string>& names) {
   json setup{{"case", physics(definition)}, {"runs", json::array()}};
   for (const RunDefinition& run : definition.runs)
-    if (names.contains(run.name) || names.contains(run.ensemble))
+    if (names.contains(run.name) || (!run.ensemble.empty() && names.contains(run.ensemble)))
       setup["runs"].push_back(hashed_settings(run));
   return content_hash(setup.dump());
 }

@@ -24,7 +24,9 @@ class ToolHistory : public SmallCampaign {
     const fs::path file = fs::canonical(result("particles"));
     const std::string answer = file.stem().string(), other(32, '0');
     RunResult present = read_result(file);
-    fs::rename(file, file.parent_path() / (other + ".h5"));
+    RunResult earlier = present;
+    earlier.key = with(present.key, answer, other);
+    write_result(earlier, file.parent_path() / (other + ".h5"));
     write("out/store/history/surges.jsonl", with(read_bytes(history()), answer, other));
     for (TimeSeries& series : present.series)
       if (series.name == "elevation@right")

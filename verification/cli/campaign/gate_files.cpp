@@ -108,21 +108,7 @@ reports::GateEntry entry_of(const ProblemAssessment& assessment, const ProblemGa
   return entry;
 }
 
-reports::GateEntry entry_of(const RowMovement& lost) {
-  const std::size_t colon = std::min(lost.row.find(": "), lost.row.size());
-  return {.outcome = lost.loses_validation() ? GateOutcomeKind::lost : GateOutcomeKind::skipped,
-          .group = lost.row.substr(0, colon),
-          .name = lost.row.substr(std::min(colon + 2, lost.row.size())),
-          .message = "the baseline has the row, and no approval takes it out",
-          .unit = lost.unit,
-          .lower = lost.before->lower,
-          .upper = lost.before->upper,
-          .moved = movement_text(lost),
-          .kind = lost.before->terms ? lost.before->terms->kind : "",
-          .file = ""};
-}
-
-// An entry that is no row's.
+// An entry without a value.
 reports::GateEntry bare_entry(const std::string& group, const std::string& name,
                               GateOutcomeKind outcome, const std::string& message) {
   return {.outcome = outcome,
@@ -136,6 +122,17 @@ reports::GateEntry bare_entry(const std::string& group, const std::string& name,
           .upper = {},
           .moved = "",
           .file = ""};
+}
+
+reports::GateEntry entry_of(const RowMovement& lost) {
+  const std::size_t colon = std::min(lost.row.find(": "), lost.row.size());
+  reports::GateEntry entry =
+      bare_entry(lost.row.substr(0, colon), lost.row.substr(std::min(colon + 2, lost.row.size())),
+                 lost.loses_validation() ? GateOutcomeKind::lost : GateOutcomeKind::skipped,
+                 "the baseline has the row, and no approval takes it out");
+  entry.moved = movement_text(lost);
+  if (lost.before->terms) entry.kind = lost.before->terms->kind;
+  return entry;
 }
 
 // Adds a run or a problem that has no usable result.

@@ -38,6 +38,27 @@ TEST_F(RunKey, IsTheSameForTheSameRun) {
   EXPECT_EQ(key(sample_case(), sph).size(), 65u);
 }
 
+TEST(SetupHash, ChangesWithThePhysicsAndTheNamedRunsAlone) {
+  CaseDefinition definition = sample_case();
+  definition.runs = {sample_run(SphRun{"li2010", 0.02, 0.02}),
+                     sample_run(LinearRun{500, false, 0.2})};
+  definition.runs[0].name = "sph";
+  definition.runs[1].name = "theory";
+  const auto hash = [&] { return setup_hash(definition, {"sph", "theory"}); };
+  const std::string before = hash();
+  EXPECT_EQ(before.size(), 32u);
+  definition.window_begin += 1;
+  definition.title = "Another title";
+  EXPECT_EQ(hash(), before);
+  std::get<LinearRun>(definition.runs[1].solver).modes = 1;
+  EXPECT_NE(hash(), before);
+  const std::string of_sph = setup_hash(definition, {"sph", ""});
+  definition.runs.pop_back();
+  EXPECT_EQ(setup_hash(definition, {"sph", ""}), of_sph) << "another run is none of the row's";
+  definition.gravity = 9.0;
+  EXPECT_NE(setup_hash(definition, {"sph"}), of_sph);
+}
+
 // The keys of results that were stored before tanks had outlines.
 TEST_F(RunKey, OfARectangularTankDoesNotKnowOfOutlines) {
   CaseDefinition definition = sample_case();
