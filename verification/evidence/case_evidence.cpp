@@ -277,7 +277,8 @@ GateEvidence CaseEvidence::gate_evidence() {
     GateEvidence moved = evidence;
     moved.comparison = [&](const std::string& candidate, const std::string& reference,
                            const std::string& quantity) -> const Comparison& {
-      return comparison_with(candidate, reference, quantity, {suffix, other_way});
+      return comparison_with(candidate, reference, quantity,
+                             reference == row.reference ? Moved{suffix, other_way} : Moved{});
     };
     return measured(row, moved);
   };
