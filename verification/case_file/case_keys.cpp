@@ -191,7 +191,7 @@ const std::vector<KeyTable>& case_key_tables() {
         {"duration_s", "number > 0, s", "yes", ""},
         {"sample_interval_s", "number > 0 and <= duration_s, s", "yes",
          "The interval of the recorded samples. SPH lands on each, so a short one shortens its "
-         "time step."},
+         "time step. There are ten million at most."},
         {"snapshot_times_s", "increasing list of numbers > 0 and <= duration_s, s", "no",
          "The times at which fields are kept: multiples of sample_interval_s."}}},
       {"animation",
@@ -326,7 +326,7 @@ const std::vector<KeyTable>& case_key_tables() {
        {{"scheme", "text", "yes",
          "The scheme: kernel, integrator, walls and terms under one name."},
         {"particle_spacing_m", "number > 0 and <= the fill depth, m", "yes",
-         "The spacing dp of the particles."},
+         "The spacing dp of the particles, a hundred million at most."},
         {"surface_particle_spacing_m", "number > 0 and <= particle_spacing_m, m", "no",
          "A finer spacing at the surface, for li2010 in a tank that does not roll. Default: "
          "particle_spacing_m."},
@@ -497,7 +497,9 @@ const std::vector<KeyTable>& case_key_tables() {
         {"time_limit_s", "number > 0, s", "no",
          "The longest wall-clock time that the program may take."},
         {"inputs", "list of paths or patterns, relative to the case file", "no",
-         "Files that count as part of the run: a change of one makes the run be computed again."},
+         "Files, directories with all below them, and patterns of either that count as part of the "
+         "run: a "
+         "change of one file makes the run be computed again."},
         {"fail_on", "list of texts", "no",
          "Regular expressions (RE2). A line of the program's log that one of them matches "
          "makes the run fail."},

@@ -19,7 +19,7 @@ namespace {
 using Keys = std::vector<std::string>;
 
 // More would not fit the memory, which is then exhausted without a word.
-constexpr double most_particles = 1e7;
+constexpr double most_particles = 1e8;
 constexpr int most_cells = 10000, most_modes = 100000;
 
 double finest_spacing(const CaseDefinition& definition) {
@@ -111,7 +111,7 @@ SphRun read_sph(const TomlTable& run, const CaseDefinition& definition) {
       "surface_particle_spacing_m",
       {fmt::format(
            "a number > 0 and <= particle_spacing_m ({}), in m, and >= {:.3g}, the spacing of "
-           "ten million particles",
+           "a hundred million particles",
            spacing, finest),
        [=](double value) { return value >= finest && value <= spacing; }});
   const DisturbedStart start = read_start(run, a_disorder);
@@ -423,7 +423,7 @@ Rule<double> a_particle_spacing(const CaseDefinition& definition) {
   const double least = finest_spacing(definition), most = definition.liquid.fill_depth;
   return {
       fmt::format("a number > 0 and <= the fill depth ({:.4g}), in m, and >= {:.3g}, the spacing "
-                  "of ten million particles",
+                  "of a hundred million particles",
                   most, least),
       [=](double value) { return value >= least && value <= most; }, most};
 }

@@ -21,7 +21,7 @@
 #include "verification/gate/measured_value.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/series/windowed_series.hpp"
-#include "verification/solvers/external_script.hpp"
+#include "verification/solvers/external/external_script.hpp"
 #include "verification/solvers/theory/natural_frequencies.hpp"
 
 namespace slosh {

@@ -348,7 +348,8 @@ TEST_F(ExternalRun, IsRefusedBeforeAnythingRunsWhereItsCaseIsWrong) {
   expect_words(complaint("file = \"wave.csv\"", "file = \"../wave.csv\""),
                "expected a file's path below the run's work directory");
   expect_words(complaint("[[run.series]]", "inputs = [\"none.txt\"]\n[[run.series]]"),
-               "expected files relative to the case file; there is no");
+               "expected files, directories or patterns of them, relative to the case file; there "
+               "is no file in");
 }
 
 TEST_F(ExternalRun, WithoutItsProgramFailsButIsStillReportedOn) {

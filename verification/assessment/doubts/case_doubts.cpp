@@ -14,7 +14,7 @@
 #include "verification/case/shape/sensor_place.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/solvers/external_script.hpp"
+#include "verification/solvers/external/external_script.hpp"
 #include "verification/solvers/theory/natural_frequencies.hpp"
 
 namespace slosh {

@@ -154,6 +154,7 @@ TEST(CaseDoubts, AreOfAPressureThatTheoryDoesNotHave) {
 
 TEST(CaseDoubts, TellOfAScriptWhoseModulesAreNoPartOfItsKey) {
   CaseDefinition definition = sound_case();
+  definition.file = "small_surge.toml";
   ExternalRun external;
   external.command = {"python3", "-m", "mine"};
   definition.runs.push_back(sample_run(external));

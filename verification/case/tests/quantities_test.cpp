@@ -55,5 +55,23 @@ TEST(Quantities, AreMeasuredAtGaugesAtProbesOnWallsOrInTheTank) {
     EXPECT_EQ(find_quantity(none), nullptr) << none;
 }
 
+TEST(Quantities, AreNoLargerThanTheTankAllows) {
+  CaseDefinition definition{};
+  definition.gravity = 9.81;
+  definition.tank.length = 3;
+  definition.tank.height = 1;
+  definition.liquid.fill_depth = 0.5;
+  definition.liquid.density = 1000;
+  definition.duration = 10;
+  EXPECT_EQ(largest_in_tank(definition, "m"), 3);
+  // A fall of 4 m ends at 8.86 m/s.
+  EXPECT_NEAR(largest_in_tank(definition, "m/s"), 88.6, 0.1);
+  EXPECT_NEAR(largest_in_tank(definition, "Pa"), 1.33e7, 1e5);
+  EXPECT_NEAR(largest_in_tank(definition, "N/m"), 5.32e7, 1e6);
+  definition.motion.surge = MotionHistory{SineMotion{.amplitude = 2, .angular_frequency = 3}};
+  EXPECT_NEAR(largest_in_tank(definition, "m/s"), 148.6, 0.2);
+  EXPECT_EQ(largest_in_tank(definition, "J/m"), 1e9);
+}
+
 }  // namespace
 }  // namespace slosh::quantities_test

@@ -343,15 +343,17 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:46: run.variant = \"\": expected a text that is not empty"},
         Mistake{"NoSmoothingLength",
                 {"quick = true", "smoothing_length_ratio = 0"},
-                "trial.toml:46: run.smoothing_length_ratio = 0: expected a number > 0, without "
+                "trial.toml:46: run.smoothing_length_ratio = 0: expected a number >= 0.5 and <= "
+                "10, without "
                 "unit"},
-        Mistake{
-            "NoSound",
-            {"quick = true", "sound_speed_ratio = -10.0"},
-            "trial.toml:46: run.sound_speed_ratio = -10.0: expected a number > 0, without unit"},
+        Mistake{"NoSound",
+                {"quick = true", "sound_speed_ratio = -10.0"},
+                "trial.toml:46: run.sound_speed_ratio = -10.0: expected a number >= 1 and <= 1000, "
+                "without unit"},
         Mistake{"NoTimeStep",
                 {"quick = true", "courant_number = 0"},
-                "trial.toml:46: run.courant_number = 0: expected a number > 0, without unit"},
+                "trial.toml:46: run.courant_number = 0: expected a number >= 0.001 and <= 10, "
+                "without unit"},
         Mistake{"NegativeAlpha",
                 {"quick = true", "artificial_viscosity = -0.1"},
                 "trial.toml:46: run.artificial_viscosity = -0.1: expected a number >= 0, without "
@@ -541,10 +543,11 @@ INSTANTIATE_TEST_SUITE_P(
                 {"interval_s = 0.01", "interval_s = 1e-9"},
                 "trial.toml:24: time.sample_interval_s = 1e-09: expected a number > 0 and <= the "
                 "duration (20), in s, and >= 2e-06, for at most ten million samples"},
-        Mistake{"TooManyParticles",
-                {"particle_spacing_m = 0.02", "particle_spacing_m = 1e-7"},
-                "trial.toml:44: run.particle_spacing_m = 1e-07: expected a number > 0 and <= the "
-                "fill depth (0.5), in m, and >= 0.000316, the spacing of ten million particles"},
+        Mistake{
+            "TooManyParticles",
+            {"particle_spacing_m = 0.02", "particle_spacing_m = 1e-7"},
+            "trial.toml:44: run.particle_spacing_m = 1e-07: expected a number > 0 and <= the "
+            "fill depth (0.5), in m, and >= 0.0001, the spacing of a hundred million particles"},
         Mistake{"SoundSlowerThanTheLiquid",
                 {"quick = true", "quick = true\nsound_speed_ratio = 0.001"},
                 "trial.toml:47: run.sound_speed_ratio = 0.001: expected a number >= 1 and <= 1000"},

@@ -115,7 +115,9 @@ TEST(ExternalRunSection, IsRefusedByTheLineWhereItGoesWrong) {
       {command + "time_limit_s = 0\n" + series,
        "trial.toml:56: run.time_limit_s = 0: expected a number > 0, in s"},
       {command + "inputs = [\"none.txt\"]\n" + series,
-       "trial.toml:56: run.inputs = (an array): expected files relative to the case file"},
+       "trial.toml:56: run.inputs = (an array): expected files, directories or patterns of them, "
+       "relative to the case file; there is no file in "},
+      {command + "inputs = [\"*.absent\"]\n" + series, "trial.toml:56: run.inputs = (an array)"},
       {command + "directory = \"none\"\n" + series,
        "trial.toml:56: run.directory = \"none\": expected a directory relative to the case file"},
       {command + "timelimit_s = 1\n" + series, "trial.toml:56: run.timelimit_s = 1: expected only"},

@@ -14,8 +14,8 @@
 
 #include <functional>
 
+#include "verification/gate/distributions/seeded_draws.hpp"
 #include "verification/series/distribution.hpp"
-#include "verification/series/seeded_draws.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {

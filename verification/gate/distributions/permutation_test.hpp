@@ -9,8 +9,8 @@
 
 #include <functional>
 
+#include "verification/gate/distributions/seeded_draws.hpp"
 #include "verification/gate/distributions/two_sample_statistics.hpp"
-#include "verification/series/seeded_draws.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "verification/gate/distributions/seeded_draws.hpp"
 #include "verification/series/distribution.hpp"
-#include "verification/series/seeded_draws.hpp"
 
 namespace slosh {
 

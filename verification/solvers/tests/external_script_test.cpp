@@ -1,4 +1,4 @@
-#include "verification/solvers/external_script.hpp"
+#include "verification/solvers/external/external_script.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "verification/solvers/external_script.hpp"
+#include "verification/solvers/external/external_script.hpp"
 
 #include <fmt/format.h>
 
@@ -49,7 +49,8 @@ std::string unlisted_script(const ExternalRun& external, const CaseDefinition& d
 
 std::string script_doubt(const RunDefinition& run, const CaseDefinition& definition) {
   const auto* external = std::get_if<ExternalRun>(&run.solver);
-  const std::string script = external ? unlisted_script(*external, definition) : "";
+  const bool has_place = external && !definition.file.empty();  // from which its files are found
+  const std::string script = has_place ? unlisted_script(*external, definition) : "";
   if (script.empty()) return "";
   return fmt::format(
       "run {}: what {} loads is no part of its key: its result is kept when that changes; `inputs` "
