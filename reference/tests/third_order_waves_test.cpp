@@ -41,7 +41,7 @@ TEST(ThirdOrderWaves, AreWhatPotentialFlowAddsToLinearTheory) {
       return -amplitude * frequency * frequency * std::sin(frequency * t);
     };
     const auto flow = run_nonlinear_potential_flow(
-        {.tank = tank, .motion = motion, .start = Start::tank, .nodes_x = 32, .nodes_z = 16},
+        {.tank = tank, .motion = motion, .start = Start::tank, .nodes_x = 40, .nodes_z = 16},
         {.times = times, .gauges = {0.45}});
     ASSERT_EQ(flow.times.size(), times.size());
     const auto linear = LinearSurge(tank, Start::tank, SineSurge{amplitude, frequency}, 1000)
