@@ -133,7 +133,8 @@ void add_answer(ContentHash& answer, const std::string& solver, const fs::path& 
 void protect_inputs(const CaseDefinition& definition, const RunDefinition& run) {
   std::vector<fs::path> files;
   if (const auto* external = std::get_if<ExternalRun>(&run.solver)) {
-    files = external_inputs(*external, definition);
+    for (const InputFile& input : external_inputs(*external, definition))
+      files.push_back(input.file);
     files.push_back(external_program(*external, definition));
   }
   if (const auto* stored = std::get_if<StoredRun>(&run.solver)) files = stored_files(*stored);
