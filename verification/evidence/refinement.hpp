@@ -51,7 +51,8 @@ Refinements refined_metrics(const CaseDefinition& definition, const CaseRuns& ru
 // The root of the sum of squares of the paths' uncertainties.
 double numerical_uncertainty(const std::vector<RefinedMetric>& paths);
 
-// Whether two series have the same values in the window, to rounding.
+// Whether two series have the same values at their common times in the window, to a millionth of
+// the largest. A finer resolution changes the answer of every solver by more.
 bool are_same(const TimeSeries& one, const TimeSeries& other, TimeWindow window);
 
 }  // namespace slosh

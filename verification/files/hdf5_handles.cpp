@@ -33,14 +33,22 @@ Handle open_dataset(hid_t parent, const std::string& name) {
   return {H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "open the data set " + name};
 }
 
-// The number of values. Throws Hdf5Error where the file stores fewer bytes than that: it may
-// declare a shape of any size without storing it.
+// The most values that may be stored in fewer bytes than their number, by compression.
+constexpr hsize_t most_compressed = 10'000'000;
+
+bool is_compressed(hid_t dataset) {
+  const Handle list(H5Dget_create_plist(dataset), H5Pclose, "get a data set's properties");
+  return H5Pget_nfilters(list) > 0;
+}
+
+// The number of values. Throws Hdf5Error where the file stores fewer bytes than that and they are
+// not compressed, or are too many: it may declare a shape of any size without storing it.
 std::size_t point_count(hid_t dataset, const std::string& name) {
   const Handle space(H5Dget_space(dataset), H5Sclose, "get a data set's shape");
   const auto count =
       static_cast<hsize_t>(checked(H5Sget_simple_extent_npoints(space), "get a data set's shape"));
   const hsize_t stored = H5Dget_storage_size(dataset);
-  if (count > stored)
+  if (count > stored && !(stored > 0 && count <= most_compressed && is_compressed(dataset)))
     throw Hdf5Error("the data set " + name + " has a shape of " + std::to_string(count) +
                     " values, of which " + std::to_string(stored) + " bytes are stored");
   return static_cast<std::size_t>(count);

@@ -25,10 +25,12 @@ void write_sealed_json(const json& body, const std::filesystem::path& file) try 
   throw ResultError(error.what());
 }
 
-bool is_sealed_json(std::string_view text) {
-  const json document = json::parse(text, nullptr, false);
+bool is_sealed_json(std::string_view text) try {
+  const json document = parsed_json<json>(text);
   return document.is_object() && document.contains("body") && document.contains("hash") &&
          document.at("hash") == content_hash(text_of(document.at("body"), -1));
+} catch (const json::exception&) {
+  return false;
 }
 
 json read_sealed_json(const char* format, const std::filesystem::path& file) try {

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "verification/files/foreign/plain_file.hpp"
 #include "verification/files/protected_inputs.hpp"
 
 namespace slosh {
@@ -21,6 +22,7 @@ std::filesystem::path file_of(const ResultStore& store) { return store.root() / 
 
 // Returns the end of the file without its first line, which may be cut.
 std::string last_lines(const std::filesystem::path& file) {
+  if (!is_plain_file(file)) return "";  // a pipe would be waited for
   std::ifstream stream(file, std::ios::binary);
   stream.seekg(0, std::ios::end);
   const std::streamoff size = stream.tellg(), begin = std::max<std::streamoff>(size - tail, 0);
@@ -34,6 +36,7 @@ std::string last_lines(const std::filesystem::path& file) {
 void record_cost(const CostRecord& record, const ResultStore& store) {
   if (!(record.taken >= shortest) || !(record.modelled > 0)) return;
   require_no_input(file_of(store));
+  if (std::filesystem::exists(file_of(store)) && !is_plain_file(file_of(store))) return;
   // A short line is one write, so that the lines of runs that end together do not mix.
   std::ofstream(file_of(store), std::ios::app)
       << fmt::format("{} {:.4g} {:.4g}\n", record.solver, record.modelled, record.taken);

@@ -233,6 +233,24 @@ TEST_F(Outputs, ReplaceNoInputThatLiesInADirectoryOfTheTool) {
   EXPECT_TRUE(fs::exists(directory() / "new.work/mine.external/small.toml"));
 }
 
+TEST_F(Outputs, OfACampaignReplaceNoInputOfAProgramThatLiesInTheReport) {
+  fs::create_directories(directory() / "out/report/tables");
+  fs::copy_file(directory() / "wave.csv", directory() / "out/report/tables/own.csv");
+  write("small.toml", with(read("small.toml"), "inputs = [\"wave.csv\"]",
+                           "inputs = [\"wave.csv\", \"out/report/tables/own.csv\"]"));
+  const Ended ended = campaign();
+  EXPECT_EQ(ended.status, 2) << ended.out << ended.err;
+  EXPECT_EQ(read("out/report/tables/own.csv"), read("wave.csv"));
+}
+
+TEST_F(Outputs, WaitForNoReaderOfTheCosts) {
+  fs::create_directories(store());
+  fs::remove(store() / "costs.txt");
+  ASSERT_EQ(::mkfifo((store() / "costs.txt").c_str(), 0600), 0);
+  EXPECT_EQ(campaign().status, 0);
+  EXPECT_TRUE(fs::is_fifo(store() / "costs.txt"));
+}
+
 TEST_F(Outputs, FollowLinksWhichStay) {
   for (const Output& output : outputs()) {
     if (output.name == std::string("run --progress-file")) continue;

@@ -214,7 +214,8 @@ void supersede_gate_files(const std::string& campaign, const std::string& why,
   try {
     write_gate_files(document, directory);
   } catch (const fs::filesystem_error&) {  // no room: an old verdict must not stay for that
-    for (const fs::path& one : files) fs::remove(one);
+    for (const fs::path& one : files)
+      if (fs::is_regular_file(one)) fs::remove(one);
     throw;
   }
 }

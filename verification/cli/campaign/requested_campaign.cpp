@@ -14,6 +14,7 @@
 #include "verification/input/case_file_error.hpp"
 #include "verification/problems/problem_list.hpp"
 #include "verification/runs/run_case.hpp"
+#include "verification/runs/run_key.hpp"
 
 namespace slosh {
 namespace {
@@ -129,6 +130,9 @@ RequestedCampaign requested(const CampaignOptions& options, const Installation& 
                        .at_once = options.at_once,
                        .timing = timing_of(campaign.definition, options)};
   campaign.place = place_in(campaign.settings.output, options.selection);
+  for (const CaseDefinition& one : campaign.cases)
+    for (const RunDefinition& run : one.runs)
+      if (is_selected(options.selection, one, run)) protect_inputs(one, run);
   if (options.selection.is_partial())
     campaign.definition.title += " (" + selection_text(options.selection) + ")";
   return campaign;

@@ -101,6 +101,30 @@ TEST(RowUncertainty, OfARefinementThatRefinesNothingIsUnknownAndDoesNotPass) {
   EXPECT_NE(outcome.message.find("the refinement mesh tells nothing"), std::string::npos);
 }
 
+// The same program, with noise in the last digits, with fewer samples, and with times that are
+// printed in another way.
+TEST(RowUncertainty, OfACopyThatWasTouchedIsUnknownToo) {
+  const TimeSeries wave = elevation_of({});
+  TimeSeries noisy = scaled(wave, 1.005), thinned = noisy, shifted = noisy;
+  for (std::size_t i = 0; i < noisy.value.size(); ++i)
+    noisy.value[i] += (i % 2 == 0 ? 1e-12 : -1e-12);
+  thinned.time.clear();
+  thinned.value.clear();
+  for (std::size_t i = 0; i < wave.time.size(); i += 2) {
+    thinned.time.push_back(wave.time[i]);
+    thinned.value.push_back(1.005 * wave.value[i]);
+  }
+  for (std::size_t i = 1; i + 1 < shifted.time.size(); ++i) shifted.time[i] += 1e-9;
+  for (const TimeSeries& copy : {noisy, thinned, shifted}) {
+    OfMeshes meshes(0.005, 0.005);
+    meshes.runs.results["coarse_mesh"] = result_of("coarse_mesh", copy);
+    const GateOutcome outcome = meshes.judged();
+    EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+    EXPECT_NE(outcome.message.find("the refinement changed nothing"), std::string::npos)
+        << outcome.message;
+  }
+}
+
 TEST(RowUncertainty, OfAMeshWithoutAnotherIsUnknownAndDoesNotPass) {
   OfMeshes meshes(0.01, 0.005);
   ASSERT_EQ(meshes.judged().verdict, Verdict::pass);
@@ -428,7 +452,7 @@ TEST(RowUncertainty, OfTheInputsOfAFreeWaveComesFromTheViscousWave) {
 // Where no theory holds: the coarse run of the case, with waves that are higher by the same share
 // as the input.
 struct WithACoarseRun : OfARecord {
-  WithACoarseRun() : OfARecord(Metric::amplitude_error, "forced", "1", 0.05, 1e-6) {
+  WithACoarseRun() : OfARecord(Metric::amplitude_error, "forced", "1", 0.05, 2e-6) {
     definition.runs.at(0).solver = SphRun{"recommended", 0.03, 0.03};  // theory no more
     definition.inputs = {{Input::amplitude, 0.0002, "a ruler", "coarse_particles"}};
     for (const RunDefinition& run : runs_at_ends(definition.inputs[0], definition.runs.at(3))) {
@@ -446,10 +470,10 @@ struct WithACoarseRun : OfARecord {
 
 TEST(RowUncertainty, OfAnInputThatNoTheoryTellsIsThatOfACoarseRunAtBothEnds) {
   WithACoarseRun row;
-  EXPECT_NEAR(row.contributions().input.half_width.value(), 0.01, 2e-6);
+  EXPECT_NEAR(row.contributions().input.half_width.value(), 0.01, 4e-6);
   EXPECT_EQ(row.judged().verdict, Verdict::pass);
   row.add(row.ends[1], 1.09);  // the larger of 9 % and 1 %
-  EXPECT_NEAR(row.contributions().input.half_width.value(), 0.09, 2e-6);
+  EXPECT_NEAR(row.contributions().input.half_width.value(), 0.09, 4e-6);
   EXPECT_EQ(row.judged().verdict, Verdict::inconclusive);
 }
 

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "verification/files/content_hash.hpp"
+#include "verification/files/sealed_json.hpp"
 #include "verification/fuzz/memory_file.hpp"
 #include "verification/results/result_file.hpp"
 #include "verification/solvers/particles/state_file.hpp"
@@ -149,9 +150,17 @@ TEST_P(SealedFile, CrashesNoReaderWhereAByteIsChangedThoughItsChecksumFits) {
     altered[at] = static_cast<char>(altered[at] ^ (i % 3 == 0 ? 0xff : 1 << (i % 8)));
     const std::string words = refusal(resealed(altered));
     refused += !words.empty();
-    if (!words.empty()) EXPECT_NE(words.find(name), std::string::npos) << words;
+    if (!words.empty()) {
+      EXPECT_NE(words.find(name), std::string::npos) << words;
+    }
   }
   EXPECT_GT(refused, 0);
+}
+
+TEST(SealedJson, IsNoneThatIsNestedTooDeep) {
+  const std::size_t levels = 200'000;
+  EXPECT_FALSE(is_sealed_json("{\"body\":" + std::string(levels, '[') + std::string(levels, ']') +
+                              ",\"hash\":\"x\"}"));
 }
 
 INSTANTIATE_TEST_SUITE_P(EachKind, SealedFile, ::testing::ValuesIn(kinds),

@@ -272,6 +272,40 @@ TEST(ImportFormats, ReadDataSetsOfHdf5ByTheirPathsAndOwnResultsByTheirGroup) {
   EXPECT_DOUBLE_EQ(bare.value[3], 0.07);
 }
 
+// A gauge that stays dry takes few bytes when it is compressed. What is declared and not stored is
+// no series.
+TEST(ImportFormats, ReadCompressedValuesAndNoneThatAreNotStored) {
+  const TemporaryDirectory directory;
+  const fs::path file = directory.path() / "dry.h5";
+  const hsize_t count = 200'000;
+  std::vector<double> time(count), still(count, 0.25);
+  for (hsize_t i = 0; i < count; ++i) time[i] = 0.001 * static_cast<double>(i);
+  {
+    const hdf5::Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
+                            H5Fclose, "make a file");
+    hdf5::write_attribute(hdf5::write_numbers(root, "t", time), "unit", "s");
+    const hdf5::Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, "a space");
+    const hdf5::Handle packed(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "properties");
+    H5Pset_chunk(packed, 1, &count);
+    H5Pset_deflate(packed, 9);
+    for (const char* name : {"stored", "declared"}) {
+      const hdf5::Handle set(
+          H5Dcreate2(root, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, packed, H5P_DEFAULT), H5Dclose,
+          "a data set");
+      hdf5::write_attribute(set, "unit", "m");
+      if (name == std::string("stored"))
+        H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, still.data());
+    }
+  }
+  const SeriesSource source{.quantity = "elevation@right",
+                            .file = file,
+                            .format = "hdf5",
+                            .column = "/stored",
+                            .time_column = "/t"};
+  EXPECT_EQ(import_series(source).value, still);
+  EXPECT_THROW(import_series(of_column("/declared", source)), CaseFileError);
+}
+
 // As C programs and netCDF write them.
 TEST(ImportFormats, ReadUnitsOfAnyLengthInAscii) {
   const TemporaryDirectory directory;

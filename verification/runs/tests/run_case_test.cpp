@@ -530,7 +530,7 @@ TEST(RequireRunnable, NamesTheRunWhoseStartFails) {
 
 TEST(Execute, NamesTheRunThatNeedsMoreMemoryThanThereIs) {
   CaseDefinition definition = sample_case();
-  RunDefinition run = sample_run(LinearRun{.modes = 2000000000});
+  RunDefinition run = sample_run(LinearRun{2000000000, false, 0.1});
   run.name = "endless";
   try {
     execute(definition, run, {}, [](double, double) {});
