@@ -20,7 +20,9 @@ bool is_shared(const FlatExtreme& flat, const std::optional<FlatExtreme>& other,
 void add_flat(const SensorReadings& of, const std::optional<FlatExtreme>& flat, const char* which,
               const std::optional<FlatExtreme>& of_other, std::vector<std::string>& doubts) {
   // A flat of few steps follows from them.
-  if (!flat || of.limits.step || rests_dry(*flat, of.unit) || is_shared(*flat, of_other, of.limits.range)) return;
+  if (!flat || of.limits.step || rests_dry(*flat, of.unit) ||
+      is_shared(*flat, of_other, of.limits.range))
+    return;
   doubts.push_back(fmt::format(
       "the {} stays at its {} value, {:.4g} {}, from {:.4g} to {:.4g} s, which cuts off "
       "some {:.2g} {}",
