@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "reference/decompositions.hpp"
+#include "reference/potential_flow/decompositions.hpp"
 
 namespace slosh::reference {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/decompositions.hpp"
 #include "reference/natural_frequency.hpp"
+#include "reference/potential_flow/decompositions.hpp"
 #include "reference/potential_flow/free_surface_flow.hpp"
 #include "reference/require.hpp"
 

@@ -17,7 +17,7 @@
 #include <numbers>
 #include <optional>
 
-#include "reference/decompositions.hpp"
+#include "reference/potential_flow/decompositions.hpp"
 #include "reference/require.hpp"
 
 namespace slosh::reference {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reference/decompositions.hpp"
+#include "reference/potential_flow/decompositions.hpp"
 
 namespace slosh::reference {
 namespace {

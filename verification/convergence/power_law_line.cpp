@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "verification/series/sample_moments.hpp"
-#include "verification/series/student_t.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "verification/series/student_t.hpp"
+#include "verification/series/sample_moments.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {

@@ -7,7 +7,6 @@
 
 #include "verification/gate/measured_value.hpp"
 #include "verification/series/sample_moments.hpp"
-#include "verification/series/student_t.hpp"
 
 namespace slosh {
 double half_width_of_95_percent(const std::vector<double>& values) {

@@ -9,7 +9,6 @@
 #include "verification/case/ensemble.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/series/sample_moments.hpp"
-#include "verification/series/student_t.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "verification/series/student_t.hpp"
+#include "verification/series/sample_moments.hpp"
 
 namespace slosh {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "verification/fits/dense_algebra.hpp"
 #include "verification/fits/tone_search.hpp"
-#include "verification/series/student_t.hpp"
+#include "verification/series/sample_moments.hpp"
 
 namespace slosh {
 namespace {

@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "verification/series/sample_moments.hpp"
-#include "verification/series/student_t.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -31,6 +32,15 @@ std::vector<double> minus(std::vector<double> values, const std::vector<double>&
         fmt::format("{} samples less {}; expected as many of both", values.size(), other.size()));
   for (std::size_t i = 0; i < values.size(); ++i) values[i] -= other[i];
   return values;
+}
+
+double t95(double freedom) {
+  return boost::math::quantile(boost::math::students_t(freedom), 0.975);
+}
+
+double two_sided_p(double t, double freedom) {
+  return 2 *
+         boost::math::cdf(boost::math::complement(boost::math::students_t(freedom), std::abs(t)));
 }
 
 }  // namespace slosh

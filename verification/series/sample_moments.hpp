@@ -1,6 +1,8 @@
 // Moments of samples x_1 .. x_n with equal weights, whatever their times:
 //   mean m = sum x_i / n,   rms = sqrt(sum x_i^2 / n)
-// Both are NaN for no samples.
+// Both are NaN for no samples. And Student's t distribution, by which the mean of few is judged:
+// Boost's headers are read here alone, as they take longer than most of the files that need a
+// quantile.
 #pragma once
 
 #include <vector>
@@ -15,5 +17,11 @@ std::vector<double> without_mean(std::vector<double> values);
 
 // The difference sample by sample. Throws std::invalid_argument unless both have the same length.
 std::vector<double> minus(std::vector<double> values, const std::vector<double>& other);
+
+// The half width of the two-sided 95 % interval of a mean, in its standard errors. `freedom` > 0.
+double t95(double freedom);
+
+// The probability that |t| is exceeded. `freedom` > 0.
+double two_sided_p(double t, double freedom);
 
 }  // namespace slosh

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "verification/series/student_t.hpp"
+#include "verification/series/sample_moments.hpp"
 
 namespace slosh {
 namespace {

@@ -1,7 +1,7 @@
 // Against printed tables (Fisher & Yates) and the normal distribution.
-#include "verification/series/student_t.hpp"
-
 #include <gtest/gtest.h>
+
+#include "verification/series/sample_moments.hpp"
 
 namespace slosh::student_t_test {
 namespace {

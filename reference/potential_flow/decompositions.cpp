@@ -1,4 +1,4 @@
-#include "reference/decompositions.hpp"
+#include "reference/potential_flow/decompositions.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
