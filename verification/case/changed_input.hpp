@@ -25,8 +25,8 @@ std::string input_unit(Input input, const MotionDefinition& motion);
 CaseDefinition with_input(CaseDefinition definition, Input input, double change);
 
 // Why no tank can be as the case with a changed input says, after the rules of the case file:
-// "fill_depth_m = 1.05: expected between 0 and the tank's height, 1 m". Returns nullopt where it
-// can.
+// "fill depth = 1.05 m: expected above 0 and below the tank's height, 1 m". Returns nullopt where
+// it can.
 std::optional<std::string> impossible(const CaseDefinition& definition);
 
 // Returns the case that the run solves: with a changed input if the run stands at the end of an

@@ -1,8 +1,7 @@
 // Moments of samples x_1 .. x_n with equal weights, whatever their times:
 //   mean m = sum x_i / n,   rms = sqrt(sum x_i^2 / n)
-// Both are NaN for no samples. And Student's t distribution, by which the mean of few is judged:
-// Boost's headers are read here alone, as they take longer than most of the files that need a
-// quantile.
+// Both are NaN for no samples. Student's t distribution gives the interval of the mean of few
+// samples. Boost's headers for it are large, so sample_moments.cpp is the one file that reads them.
 #pragma once
 
 #include <vector>

@@ -26,5 +26,21 @@ TEST(SampleMoments, AreNoNumberOfNoSamples) {
   EXPECT_TRUE(std::isnan(rms({})));
 }
 
+// Against printed tables (Fisher & Yates) and the normal distribution.
+TEST(StudentT, HasTheQuantilesOfPrintedTables) {
+  EXPECT_NEAR(t95(1), 12.706, 5e-4);
+  EXPECT_NEAR(t95(2), 4.303, 5e-4);
+  EXPECT_NEAR(t95(10), 2.228, 5e-4);
+  EXPECT_NEAR(t95(1e9), 1.959964, 1e-6);  // the normal distribution's
+}
+
+TEST(StudentT, ExceedsItsQuantileInOneOfTwentyDrawsOnEitherSide) {
+  for (const double freedom : {1.0, 2.5, 10.0, 1e4}) {
+    EXPECT_NEAR(two_sided_p(t95(freedom), freedom), 0.05, 1e-12);
+    EXPECT_NEAR(two_sided_p(-t95(freedom), freedom), 0.05, 1e-12);
+  }
+  EXPECT_DOUBLE_EQ(two_sided_p(0, 3), 1);
+}
+
 }  // namespace
 }  // namespace slosh::sample_moments_test
