@@ -22,7 +22,6 @@
 #include "verification/cli/stored_run.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/files/atomic_file.hpp"
-#include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/gate/measured_value.hpp"
 #include "verification/import/import_series.hpp"
@@ -219,9 +218,9 @@ void write_json(const Comparison& comparison, const std::vector<GateOutcome>& ou
   replace_file(file, document.dump(2) + "\n", Durability::process_crash);
 }
 
-// The arrays of a comparison are as long as the series. By default each goes back to the system when
-// it is freed, and the pages of the next one are made anew: of ten million samples that took 15 of
-// 26 s of processor time. Kept for the next one they take 3 of 17 s.
+// The arrays of a comparison are as long as the series. By default each goes back to the system
+// when it is freed, and the pages of the next one are made anew: of ten million samples that took
+// 15 of 26 s of processor time. Kept for the next one they take 3 of 17 s.
 void keep_freed_memory() {
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, -1);
@@ -233,8 +232,6 @@ struct ComparedFiles {
 };
 
 ComparedFiles compared(const CompareOptions& options, const Installation& installation) {
-  for (const std::filesystem::path& file : {options.candidate, options.reference})
-    protect_input(file);
   const RunResult candidate = named_result(options.candidate);
   const RunResult reference = named_result(options.reference);
   const std::string quantity = compared_quantity(options, candidate, reference);

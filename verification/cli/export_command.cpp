@@ -6,7 +6,6 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/stored_run.hpp"
 #include "verification/files/atomic_file.hpp"
-#include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/texts/series_csv.hpp"
 
@@ -24,7 +23,6 @@ int export_result(const ExportOptions& options) {
   if (!options.csv && options.output.extension() != ".csv")
     throw CaseFileError("--output: " + options.output.string() +
                         ": expected a name that ends in .csv, or --csv for any other");
-  protect_input(options.result);
   const std::string text = series_csv(named_result(options.result));
   if (options.output.empty())
     std::cout << text;

@@ -32,7 +32,8 @@ void keep_copy(const ResultStore& store, const std::string& key, const RunResult
 // not take an older result instead. Does nothing where another process holds the key.
 void keep_failure(const ResultStore& store, const std::string& key, const RunFailure& why);
 
-// Reads a result that may be another's, with names that can be shown (legible_text.hpp).
+// Reads a result that the user names, with names that can be shown (legible_text.hpp), and makes
+// its file an input (protected_inputs.hpp).
 RunResult named_result(const std::filesystem::path& file);
 
 // Adds the cost of `compute` to the timings of the key. Skips a run without a result, and one that

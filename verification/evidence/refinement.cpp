@@ -90,6 +90,32 @@ std::vector<MeasuredRun> one_a_step(const std::vector<MeasuredRun>& measured,
   return kept;
 }
 
+// Whether two series have the same values at their common times in the window, to a millionth of
+// the largest. A finer resolution changes the answer of every solver by more.
+bool are_same(const TimeSeries& one, const TimeSeries& other, TimeWindow window) {
+  constexpr double least_change = 1e-6;  // of the largest magnitude
+  try {
+    const TimeSeries a = cut_to_window(one, window), b = cut_to_window(other, window);
+    if (a.time.size() < 2 || b.time.empty()) return false;
+    // Times that differ by less are one: they are printed in another way.
+    const double at_once =
+        least_change * (a.time.back() - a.time.front()) / static_cast<double>(a.time.size() - 1);
+    double largest = 0, apart = 0;
+    std::size_t common = 0;
+    for (std::size_t i = 0, j = 0; i < a.time.size(); ++i) {
+      while (j < b.time.size() && b.time[j] < a.time[i] - at_once) ++j;
+      if (j == b.time.size()) break;
+      if (b.time[j] > a.time[i] + at_once) continue;
+      largest = std::max(largest, std::abs(a.value[i]));
+      apart = std::max(apart, std::abs(a.value[i] - b.value[j]));
+      ++common;
+    }
+    return common >= 2 && apart <= least_change * largest;
+  } catch (const ComparisonError&) {
+    return false;  // one of them does not cover the window
+  }
+}
+
 // Why the values tell nothing of the discretisation; "" where they do.
 std::string why_unknown(const std::vector<MeasuredRun>& measured,
                         const std::vector<MeasuredRun>& kept, const CaseDefinition& definition,
@@ -162,30 +188,6 @@ double step_of(RefinedNumber number, const RunDefinition& run, const CaseRuns& r
     }
   }
   throw std::logic_error("a refined number without a step");
-}
-
-bool are_same(const TimeSeries& one, const TimeSeries& other, TimeWindow window) {
-  constexpr double least_change = 1e-6;  // of the largest magnitude
-  try {
-    const TimeSeries a = cut_to_window(one, window), b = cut_to_window(other, window);
-    if (a.time.size() < 2 || b.time.empty()) return false;
-    // Between times that differ by less, a wave of ten samples a period changes by less than that.
-    const double at_once =
-        least_change * (a.time.back() - a.time.front()) / static_cast<double>(a.time.size() - 1);
-    double largest = 0, apart = 0;
-    std::size_t common = 0;
-    for (std::size_t i = 0, j = 0; i < a.time.size(); ++i) {
-      while (j < b.time.size() && b.time[j] < a.time[i] - at_once) ++j;
-      if (j == b.time.size()) break;
-      if (b.time[j] > a.time[i] + at_once) continue;
-      largest = std::max(largest, std::abs(a.value[i]));
-      apart = std::max(apart, std::abs(a.value[i] - b.value[j]));
-      ++common;
-    }
-    return common >= 2 && apart <= least_change * largest;
-  } catch (const ComparisonError&) {
-    return false;  // one of them does not cover the window
-  }
 }
 
 Refinements refined_metrics(const CaseDefinition& definition, const CaseRuns& runs,

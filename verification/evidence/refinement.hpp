@@ -44,15 +44,11 @@ struct Refinements {
 // that can be measured. A path is left out where that run or all others cannot be measured. Of runs
 // whose steps differ by less than least_refinement_ratio one counts: the row's own, or else the
 // first. A path tells nothing where a single step is left, and where two of its steps have the same
-// series in the window, to rounding: one of them is not what it claims to be.
+// series in the window, to a millionth: one of them is not what it claims to be.
 Refinements refined_metrics(const CaseDefinition& definition, const CaseRuns& runs,
                             const GateRow& row, Role role, const MeasureRow& measure);
 
 // The root of the sum of squares of the paths' uncertainties.
 double numerical_uncertainty(const std::vector<RefinedMetric>& paths);
-
-// Whether two series have the same values at their common times in the window, to a millionth of
-// the largest. A finer resolution changes the answer of every solver by more.
-bool are_same(const TimeSeries& one, const TimeSeries& other, TimeWindow window);
 
 }  // namespace slosh
