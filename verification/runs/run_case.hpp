@@ -7,7 +7,8 @@
 //   interFoam, also        "liquid_volume" [m2]
 //   potential flow, also   each series with the suffix `coarser`, from a run with fewer nodes
 //   linear theory, also    each series with the suffix `finer`, with more modes, and, where it is
-//                          finite, with `nonlinear`: an estimate of the third order (beyond_linear.hpp)
+//                          finite, with `nonlinear`: an estimate of the third order
+//                          (beyond_linear.hpp)
 //   the viscous wave, also the last of these
 //   a record               its own quantity, and the edges of its band
 //   an external program    those that the case declares
