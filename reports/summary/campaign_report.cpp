@@ -92,22 +92,19 @@ bool has_selected(const std::vector<ProblemAssessment>& problems) {
 // What the rows of the cases detect, for the first page.
 std::string coverage_text(const std::vector<CaseCoverage>& covered) {
   if (covered.empty()) return "";
-  std::vector<std::string> names, incomplete;
+  std::vector<std::string> incomplete;
   for (const CaseCoverage& one : covered)
-    if (!one.is_complete()) incomplete.push_back(one.case_name);
-  for (const RequiredDetection& one : required_detections) names.emplace_back(one.name);
+    if (!one.missed().empty()) incomplete.push_back(one.case_name);
   return fmt::format(
       "Coverage: the gate rows of {} of {} cases detect results that are made wrong on purpose, in "
       "{}{}.",
-      covered.size() - incomplete.size(), covered.size(), fmt::join(names, ", "),
+      covered.size() - incomplete.size(), covered.size(), fmt::join(names_of_required(), ", "),
       incomplete.empty() ? ""
                          : fmt::format("; those of {} miss some", fmt::join(incomplete, ", ")));
 }
 
 std::string missed_text(const CaseCoverage& covered) {
-  std::vector<std::string> missed;
-  for (const auto& [name, detection] : covered.detections)
-    if (detection.coverage == Coverage::missed) missed.push_back(name);
+  const std::vector<std::string> missed = covered.missed();
   return missed.empty() ? ""
                         : fmt::format("The rows would not detect: {}.", fmt::join(missed, ", "));
 }
@@ -135,11 +132,8 @@ struct WrittenCase {
   CaseCoverage coverage;
 };
 
-WrittenCase written(const CaseAssessment& assessment, int threads, SensitivityCache* known) {
-  const std::vector<RowSensitivity> sensitivity =
-      gate_sensitivity(assessment, known, [threads](std::size_t count, const auto& work) {
-        reports::side_by_side(count, threads, work);
-      });
+WrittenCase written(const CaseAssessment& assessment) {
+  const std::vector<RowSensitivity> sensitivity = gate_sensitivity(assessment);
   CaseCoverage coverage = case_coverage(assessment, sensitivity);
   return {case_sections(assessment, sensitivity, coverage), std::move(coverage)};
 }
@@ -247,8 +241,7 @@ std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
 reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
                                 const std::string& command,
                                 const std::vector<CaseAssessment>& cases,
-                                const std::vector<ProblemAssessment>& problems,
-                                SensitivityCache* known) {
+                                const std::vector<ProblemAssessment>& problems) {
   const auto origin = provenance("");
   reports::Report report;
   report.title = campaign.title + (quick ? " (quick form)" : "");
@@ -262,13 +255,9 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
       fmt::format("Repeat this campaign with `{}`. {}.", command, campaign.source)};
   std::erase(sentences, "");
   report.sections = summary_sections(cases, problems, fmt::format("{}", fmt::join(sentences, " ")));
-  // The cores that the cases leave free evaluate a case's gate rows in parallel.
-  const auto selected = std::count_if(cases.begin(), cases.end(), has_selected_runs);
-  const int cores = sph::usable_cores(),
-            of_one_case = std::max(1, cores / std::max(1, static_cast<int>(selected)));
   std::vector<WrittenCase> ready(cases.size());
-  reports::side_by_side(cases.size(), cores, [&](std::size_t i) {
-    if (has_selected_runs(cases[i])) ready[i] = written(cases[i], of_one_case, known);
+  reports::side_by_side(cases.size(), sph::usable_cores(), [&](std::size_t i) {
+    if (has_selected_runs(cases[i])) ready[i] = written(cases[i]);
   });
   std::vector<CaseCoverage> covered;
   for (std::size_t i = 0; i < cases.size(); ++i) {

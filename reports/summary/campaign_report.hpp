@@ -8,17 +8,14 @@
 #include "verification/assessment/case_assessment.hpp"
 #include "verification/assessment/problem_assessment.hpp"
 #include "verification/case/campaign_definition.hpp"
-#include "verification/sensitivity/sensitivity_cache.hpp"
 
 namespace slosh {
 
-// `command` is the command that repeats the campaign. What the gate rows detect is cached in
-// `known`, which may be null.
+// `command` is the command that repeats the campaign.
 reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
                                 const std::string& command,
                                 const std::vector<CaseAssessment>& cases,
-                                const std::vector<ProblemAssessment>& problems = {},
-                                SensitivityCache* known = nullptr);
+                                const std::vector<ProblemAssessment>& problems = {});
 
 // Returns "19 of 19 gate rows hold, 12 not selected."
 std::string verdict_sentence(const std::vector<CaseAssessment>& cases,

@@ -44,17 +44,12 @@ std::vector<std::string> order_sentences(const CaseAssessment& assessment) {
 
 std::optional<std::string> coverage_finding(const CaseCoverage& coverage) {
   if (coverage.rows_judged == 0) return {};
-  std::vector<std::string> missed;
-  for (const RequiredDetection& one : required_detections)
-    if (coverage.detections.at(one.name).coverage == Coverage::missed) missed.push_back(one.name);
-  if (!missed.empty())
+  if (const std::vector<std::string> missed = coverage.missed(); !missed.empty())
     return fmt::format("No gate row detects the required error that is made on purpose in: {}.",
                        fmt::join(missed, ", "));
-  std::vector<std::string> names;
-  for (const RequiredDetection& one : required_detections) names.push_back(one.name);
   return fmt::format(
       "Together the gate rows detect the required errors that are made on purpose: {}.",
-      fmt::join(names, ", "));
+      fmt::join(names_of_required(), ", "));
 }
 
 // For each record that no row judges against, how far the finest runs are from it.

@@ -1,4 +1,4 @@
-// The tables of a case's gate sensitivity: the mutations that each row detects, and those that the
+// The tables of a case's gate sensitivity: the spoilings that each row detects, and those that the
 // rows detect together.
 #pragma once
 
@@ -11,8 +11,7 @@
 
 namespace slosh {
 
-// One line per row: the smallest change of each kind that it detects, and the kinds that it does
-// not detect at all.
+// One line per row, one column per spoiling.
 reports::Table sensitivity_table(const CaseAssessment& assessment,
                                  const std::vector<RowSensitivity>& sensitivity);
 

@@ -92,27 +92,6 @@ enum class FittedTones { none, of_candidate, of_both };
 // Where `slosh converge` shows how the metric falls with the particle spacing.
 enum class ConvergenceShown { nowhere, of_forced_mode, of_natural_modes, of_oscillation, of_front };
 
-// How the metric responds when its candidate is made wrong on purpose; gate_claims.hpp has the
-// formula of each response.
-enum class MutationResponse {
-  as_amplitude,         // a ratio of amplitudes or deviations, less 1
-  as_energy,            // a ratio of squares, less 1
-  as_crest,             // a ratio of signed extremes, less 1
-  as_magnitude,         // the largest magnitude
-  as_start,             // the value at the start
-  as_mean,              // a difference of means
-  as_phase,             // a phase of one mode [deg]
-  as_correlation,       // a lag in degrees of the first mode's period
-  as_delay,             // a lag [s]
-  as_frequency,         // a ratio of frequencies, less 1
-  as_decay,             // a decay rate
-  as_rms_residual,      // the rms of the difference over the reference's deviation
-  as_largest_residual,  // the largest difference
-  as_noise,             // white noise over the deviation
-  as_field_rms,         // the rms of the difference of two fields over the datum
-  unpredicted           // nothing but an unusable series must be detected
-};
-
 enum class BoundForm { any, limit, range };
 
 // Which form a bound on the metric must have, and why.
@@ -146,7 +125,6 @@ struct MetricEntry {
   MeasuredOn measured_on;
   FittedTones fitted;
   ConvergenceShown convergence;
-  MutationResponse response;
   RequiredBound bound;
   WidestBound widest;
 };

@@ -26,19 +26,38 @@ CaseCoverage::Detection detection_of(const RequiredDetection& required,
                                      const CaseDefinition& definition,
                                      const std::vector<RowSensitivity>& sensitivity) {
   CaseCoverage::Detection found{Coverage::detected, {}};
-  for (const auto& [row, trials] : sensitivity)
-    if (detects(trials, {required.kind, required.strength})) found.rows.push_back(row_name(row));
+  for (const auto& [row, passes, detects] : sensitivity)
+    if (const auto one = detects.find(required.spoiling); one != detects.end() && one->second)
+      found.rows.push_back(row_name(row));
   if (found.rows.empty())
     found.coverage =
         required.of_motion && !is_moved(definition) ? Coverage::not_applicable : Coverage::missed;
   return found;
 }
 
+// What a row judges, as text: its name, unit and bounds.
+std::string row_identity(const GateRow& row) {
+  std::string text = fmt::format("{}\n{}\n", row_name(row), row.unit);
+  if (row.limit) text += fmt::format("limit {}\n", *row.limit);
+  if (row.between) text += fmt::format("between {} {}\n", row.between->first, row.between->second);
+  if (row.error) text += fmt::format("error {}\n", *row.error);
+  return text;
+}
+
 }  // namespace
 
-bool CaseCoverage::is_complete() const {
-  return std::none_of(detections.begin(), detections.end(),
-                      [](const auto& one) { return one.second.coverage == Coverage::missed; });
+std::vector<std::string> names_of_required() {
+  std::vector<std::string> names;
+  for (const RequiredDetection& one : required_detections)
+    names.push_back(spoiling_name(one.spoiling));
+  return names;
+}
+
+std::vector<std::string> CaseCoverage::missed() const {
+  std::vector<std::string> names;
+  for (const auto& [spoiling, detection] : detections)
+    if (detection.coverage == Coverage::missed) names.push_back(spoiling_name(spoiling));
+  return names;
 }
 
 std::string hash_of_rows(const CaseDefinition& definition) {
@@ -59,7 +78,7 @@ CaseCoverage case_coverage(const CaseAssessment& assessment,
                         judged_rows(assessment),
                         {}};
   for (const RequiredDetection& required : required_detections)
-    coverage.detections[required.name] = detection_of(required, definition, sensitivity);
+    coverage.detections[required.spoiling] = detection_of(required, definition, sensitivity);
   return coverage;
 }
 

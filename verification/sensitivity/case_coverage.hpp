@@ -1,12 +1,7 @@
-// The mutations that the gate rows of a case detect together, found on the case's own results. The
-// rows of every case must detect each of the following, by at least one row that passes as it is:
-//   amplitude   values times 1.1
-//   lag         ten degrees of the judged mode's period
-//   datum       an offset of 2 % of the fill depth, or of the pressure under it
-//   noise       white, 10 % of the values' standard deviation
-//   truncation  a series that ends a fifth of the window early
-// Where nothing moves the liquid, its amplitude, lag and noise are not applicable unless a row
-// detects them. Rows that do not pass as they are detect nothing.
+// The spoilings (spoiled_series.hpp) that the gate rows of a case detect together, found on the
+// case's own results. The rows of every case must detect the amplitude, the lag, the datum, noise
+// and truncation, each by at least one row that passes as it is. Where nothing moves the liquid,
+// its amplitude, lag and noise are not applicable unless a row detects them.
 #pragma once
 
 #include <array>
@@ -19,18 +14,18 @@
 namespace slosh {
 
 struct RequiredDetection {
-  const char* name;
-  MutationKind kind;
-  double strength;
+  Spoiling spoiling;
   bool of_motion;  // not applicable where nothing moves the liquid
 };
 
 inline constexpr std::array<RequiredDetection, 5> required_detections{
-    {{"amplitude", MutationKind::louder, 0.1, true},
-     {"lag", MutationKind::late, ten_degrees, true},
-     {"datum", MutationKind::raised, 0.02, false},
-     {"noise", MutationKind::noisy, 0.1, true},
-     {"truncation", MutationKind::truncated, 0.2, false}}};
+    {{Spoiling::amplitude, true},
+     {Spoiling::lag, true},
+     {Spoiling::datum, false},
+     {Spoiling::noise, true},
+     {Spoiling::truncation, false}}};
+
+std::vector<std::string> names_of_required();  // "amplitude", ...
 
 enum class Coverage { detected, missed, not_applicable };
 
@@ -42,9 +37,9 @@ struct CaseCoverage {
     Coverage coverage;
     std::vector<std::string> rows;  // those that detect it
   };
-  std::map<std::string, Detection> detections;  // by required_detections' names
+  std::map<Spoiling, Detection> detections;  // of required_detections
 
-  bool is_complete() const;  // nothing is missed
+  std::vector<std::string> missed() const;  // the names of spoilings
 };
 
 // The hash of the declared rows, in whatever order: candidate, reference, quantity, metric and

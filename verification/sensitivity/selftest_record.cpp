@@ -19,9 +19,9 @@ using Json = nlohmann::ordered_json;
 Json json_of(const CaseCoverage& one) {
   Json detections = Json::object();
   for (const RequiredDetection& required : required_detections) {
-    const CaseCoverage::Detection& detection = one.detections.at(required.name);
-    detections[required.name] = {{"coverage", coverage_name(detection.coverage)},
-                                 {"rows", detection.rows}};
+    const CaseCoverage::Detection& detection = one.detections.at(required.spoiling);
+    detections[spoiling_name(required.spoiling)] = {{"coverage", coverage_name(detection.coverage)},
+                                                    {"rows", detection.rows}};
   }
   return {{"case", one.case_name},
           {"rows", one.rows_hash},
@@ -40,8 +40,8 @@ CaseCoverage coverage_from(const Json& one) {
   CaseCoverage coverage{
       one.at("case"), one.at("rows"), one.at("rows_declared"), one.at("rows_judged"), {}};
   for (const RequiredDetection& required : required_detections) {
-    const Json& detection = one.at("detections").at(required.name);
-    coverage.detections[required.name] = {
+    const Json& detection = one.at("detections").at(spoiling_name(required.spoiling));
+    coverage.detections[required.spoiling] = {
         coverage_from(detection.at("coverage").get<std::string>()), detection.at("rows")};
   }
   return coverage;
@@ -87,9 +87,8 @@ std::vector<std::string> shortcomings(const SelftestRecord& record,
     }
     if (one->rows_hash != hash_of_rows(definition))
       found.push_back(definition.name + ": its rows have changed since the record was made");
-    for (const auto& [name, detection] : one->detections)
-      if (detection.coverage == Coverage::missed)
-        found.push_back(fmt::format("{}: no row detects the {}", definition.name, name));
+    for (const std::string& name : one->missed())
+      found.push_back(fmt::format("{}: no row detects the {}", definition.name, name));
   }
   return found;
 }

@@ -14,7 +14,6 @@
 #include "reports/pages/check_report.hpp"
 #include "reports/summary/results_json.hpp"
 #include "verification/assessment/campaign_cost.hpp"
-#include "verification/sensitivity/sensitivity_cache.hpp"
 #include "verification/tests/figure_results.hpp"
 #include "verification/tests/surge_results.hpp"
 #include "verification/tests/temporary_directory.hpp"
@@ -47,15 +46,9 @@ const CaseAssessment& not_comparable() {
   return assessment;
 }
 
-// What the rows detect is found out once, too.
 reports::Report report_of(const CampaignDefinition& campaign,
                           const std::vector<CaseAssessment>& cases) {
-  static const TemporaryDirectory directory;
-  SensitivityCache known(directory.path() / "strengths.json", "this judge");
-  const reports::Report report =
-      campaign_report(campaign, false, "./slosh campaign surges", cases, {}, &known);
-  known.write();
-  return report;
+  return campaign_report(campaign, false, "./slosh campaign surges", cases, {});
 }
 
 TEST(VerdictSentence, CountsTheRowsThatHold) {

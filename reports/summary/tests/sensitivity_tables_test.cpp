@@ -20,30 +20,26 @@ GateRow amplitude_row() {
   return row;
 }
 
-TEST(SensitivityTable, OnlySaysThatARowDoesNotPassAsItIs) {
-  const reports::Table table = sensitivity_table(surge(), {{amplitude_row(), {false, {}}}});
+TEST(SensitivityTable, HasAColumnPerSpoiling) {
+  const reports::Table table = sensitivity_table(
+      surge(), {{amplitude_row(), false, {}},
+                {amplitude_row(),
+                 true,
+                 {{Spoiling::amplitude, true}, {Spoiling::lag, false}, {Spoiling::noise, true}}}});
   EXPECT_EQ(table.id, "surge-strength");
   ASSERT_EQ(table.rows.at(0).size(), table.header.size());
   EXPECT_EQ(table.rows[0].front(), "particles, forced amplitude_error of elevation@right");
   EXPECT_EQ(table.rows[0].back(), "does not pass as it is");
-}
-
-TEST(SensitivityTable, ShowsTheLargerOfTheStrengthsDetectedBothWays) {
-  const MutationTrials trials{true,
-                              {{{MutationKind::louder, 0.05}, true, true},
-                               {{MutationKind::quieter, 0.05}, false, false},
-                               {{MutationKind::quieter, 0.1}, true, true}}};
-  const reports::Table table = sensitivity_table(surge(), {{amplitude_row(), trials}});
-  ASSERT_EQ(table.rows.at(0).size(), table.header.size());
-  EXPECT_EQ(table.rows[0][1], "10");
-  EXPECT_EQ(table.rows[0][2], "not detected");
+  EXPECT_EQ(table.rows[1][1], "detected");
+  EXPECT_EQ(table.rows[1][2], "not detected");
+  EXPECT_EQ(table.rows[1][3], "not applicable");
 }
 
 TEST(CoverageTable, NamesWhatTheRowsOfACaseMiss) {
   CaseCoverage coverage{"surge", "", 3, 2, {}};
   for (const RequiredDetection& one : required_detections)
-    coverage.detections[one.name] = {Coverage::detected, {}};
-  coverage.detections["noise"] = {Coverage::missed, {}};
+    coverage.detections[one.spoiling] = {Coverage::detected, {}};
+  coverage.detections[Spoiling::noise] = {Coverage::missed, {}};
   const reports::Table table = coverage_table("coverage", {coverage});
   EXPECT_EQ(table.rows.at(0), (std::vector<std::string>{"surge", "2", "3", "detected", "detected",
                                                         "detected", "MISSED", "detected"}));

@@ -19,11 +19,9 @@
 #include "verification/cli/campaign/campaign_history.hpp"
 #include "verification/cli/campaign/report_of_all.hpp"
 #include "verification/files/atomic_file.hpp"
-#include "verification/files/content_hash.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
-#include "verification/sensitivity/sensitivity_cache.hpp"
 #include "verification/texts/assessment_text.hpp"
 #include "verification/texts/campaign_plan_text.hpp"
 
@@ -45,7 +43,6 @@ fs::path page_in(const fs::path& place) { return place / "report/index.html"; }
 struct ReportSources {
   CampaignPast past;
   std::string campaign;  // as a command line names it
-  std::string judge;     // the hash of this program
 };
 
 void leave_report(const AssessedCampaign& assessed, const CampaignOptions& options,
@@ -53,10 +50,8 @@ void leave_report(const AssessedCampaign& assessed, const CampaignOptions& optio
   const std::string command =
       fmt::format("./slosh campaign {}{}{}", sources.campaign, selection_options(options.selection),
                   experiments_option(whole(options.experiments)));
-  SensitivityCache known(assessed.output / "strengths.json", sources.judge);
   reports::Report report = campaign_report(assessed.definition, options.selection.quick, command,
-                                           assessed.cases, assessed.problems, &known);
-  known.write();
+                                           assessed.cases, assessed.problems);
   add_past(assessed, sources.past, report);
   KnownDrawings drawings(assessed.output / "drawings");
   reports::write_report(report, assessed.output / "report",
@@ -78,14 +73,13 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   }
   const fs::path place = campaign.place;
   require_no_input(place / "report");
-  const std::string judge = content_hash(read_bytes(campaign.settings.executable));
   const CampaignPast past{campaign.settings.store, campaign.definition.name + form_of(options)};
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   std::cerr << complaints(assessed.cases, assessed.problems);
   print_lines(gate_lines(assessed.cases, assessed.problems));
   if (options.solve && !options.selection.is_partial()) keep_state(assessed, past);
   leave_report(assessed, options,
-               {past, name_or_path(assessed.definition.file, installation.campaigns), judge});
+               {past, name_or_path(assessed.definition.file, installation.campaigns)});
   const int status = exit_status(assessed.cases, assessed.problems);
   std::vector<std::string> lines{fmt::format("{}: {}{}", headline_word(status),
                                              verdict_sentence(assessed.cases, assessed.problems),

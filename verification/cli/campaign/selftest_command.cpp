@@ -1,5 +1,5 @@
-// The subcommand selftest: tests on a campaign's own results whether its gate rows detect what they
-// claim to. Starts no solver.
+// The subcommand selftest: tests on a campaign's own results what its gate rows detect. Starts no
+// solver.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <iostream>
 
-#include "reports/model/side_by_side.hpp"
 #include "reports/summary/sensitivity_tables.hpp"
 #include "verification/cli/campaign/assessed_campaign.hpp"
 #include "verification/input/case_file_error.hpp"
@@ -30,27 +29,24 @@ void print(const reports::Table& table) {
 
 struct Found {
   std::size_t tried = 0;
-  std::vector<std::string> broken;
+  std::vector<std::string> blind;  // rows
   std::vector<CaseCoverage> cases;
 
   std::size_t missed() const {
     return static_cast<std::size_t>(std::count_if(
-        cases.begin(), cases.end(), [](const CaseCoverage& one) { return !one.is_complete(); }));
+        cases.begin(), cases.end(), [](const CaseCoverage& one) { return !one.missed().empty(); }));
   }
 };
 
-Found test(const AssessedCampaign& assessed, int at_once) {
+Found test(const AssessedCampaign& assessed) {
   Found found;
   for (const CaseAssessment& one : assessed.cases) {
-    const std::vector<RowSensitivity> sensitivity =
-        gate_sensitivity(one, nullptr, [at_once](std::size_t count, const auto& work) {
-          reports::side_by_side(count, at_once, work);
-        });
+    const std::vector<RowSensitivity> sensitivity = gate_sensitivity(one);
     std::cout << one.definition.name << ":\n";
     print(sensitivity_table(one, sensitivity));
-    for (const RowSensitivity& row : sensitivity) found.tried += row.trials.outcomes.size();
-    for (const std::string& claim : broken_claims(sensitivity))
-      found.broken.push_back(one.definition.name + ": " + claim);
+    for (const RowSensitivity& row : sensitivity) found.tried += row.detects.size();
+    for (const std::string& row : blind_rows(sensitivity))
+      found.blind.push_back(one.definition.name + ": " + row);
     found.cases.push_back(case_coverage(one, sensitivity));
   }
   return found;
@@ -71,8 +67,8 @@ struct SelftestOptions {
 };
 
 // Prints what each row detects, and what the rows of each case detect together. Returns
-// exit_violated if a row misses what it must detect or detects nothing, or if the rows of a case
-// together miss what every case must detect (with --only or --tag the latter is printed but does
+// exit_violated if a row passes with a truncated series or NaN, or if the rows of a case together
+// miss what every case must detect (with --only or --tag the latter is printed but does
 // not count), and exit_not_compared if no row could be tried. Throws CaseFileError if a part of a
 // campaign is to be recorded.
 int selftest_campaign(const SelftestOptions& given, const Installation& installation) {
@@ -82,11 +78,11 @@ int selftest_campaign(const SelftestOptions& given, const Installation& installa
   if (given.record && !is_whole)
     throw CaseFileError("--record: expected a whole campaign, without --only and --tag");
   const AssessedCampaign assessed = assess_present(options, installation);
-  Found found = test(assessed, options.at_once);
+  Found found = test(assessed);
   found.cases = selected(assessed, std::move(found.cases));
   std::cout << "Together:\n";
   print(coverage_table("coverage", found.cases));
-  for (const std::string& claim : found.broken) std::cout << "BROKEN " << claim << "\n";
+  for (const std::string& row : found.blind) std::cout << "BLIND " << row << "\n";
   if (given.record) {
     const std::string& name = assessed.definition.name;
     const auto file = selftest_record_file(baselines_of(assessed.definition, installation), name,
@@ -94,11 +90,11 @@ int selftest_campaign(const SelftestOptions& given, const Installation& installa
     write_selftest_record({name, selection.quick, found.cases}, file);
     std::cout << "record: " << file.string() << "\n";
   }
-  const bool holds = found.broken.empty() && (found.missed() == 0 || !is_whole);
+  const bool holds = found.blind.empty() && (found.missed() == 0 || !is_whole);
   std::cout << fmt::format(
-      "{}: {} changes were tried, {} claims are broken; the rows of {} of {} cases miss what every "
-      "case must detect\n",
-      holds && found.tried > 0 ? "PASS" : "FAIL", found.tried, found.broken.size(), found.missed(),
+      "{}: {} spoilings were tried, {} pass that no row may pass; the rows of {} of {} cases miss "
+      "what every case must detect\n",
+      holds && found.tried > 0 ? "PASS" : "FAIL", found.tried, found.blind.size(), found.missed(),
       found.cases.size());
   if (found.tried == 0) return exit_not_compared;
   return holds ? exit_pass : exit_violated;
@@ -111,14 +107,13 @@ void add_selftest_command(const CommandTree& tree) {
   const auto [selftest, selftest_options] = add_command_on_campaign(
       tree,
       {"selftest",
-       "Tests on the existing results whether each gate row detects what it claims to, and whether "
-       "the rows of each case together detect what every case must detect",
+       "Spoils each candidate on purpose, on the existing results, and tests whether the rows of "
+       "each case together detect what every case must detect",
        {"./slosh selftest " + std::string(example_run)}},
       [tree, record](const CampaignOptions& options) {
         return selftest_campaign({options, *record}, tree.installation);
       });
   add_selection_options(*selftest, selftest_options->selection);
-  add_jobs_option(*selftest, selftest_options->at_once, "Rows tried side by side");
   selftest->add_flag("--record", *record,
                      "Write the findings to verification/baselines/NAME.selftest.json, with -quick "
                      "after the NAME of a quick form");

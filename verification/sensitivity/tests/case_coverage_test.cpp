@@ -28,28 +28,24 @@ CaseCoverage coverage_with(const std::vector<GateRow>& gate) {
   return case_coverage(assessment, gate_sensitivity(assessment));
 }
 
-Coverage of(const CaseCoverage& coverage, const std::string& name) {
-  return coverage.detections.at(name).coverage;
+Coverage of(const CaseCoverage& coverage, Spoiling spoiling) {
+  return coverage.detections.at(spoiling).coverage;
 }
 
 TEST(CaseCoverage, OfRowsThatTogetherDetectAllIsComplete) {
   const CaseCoverage coverage = coverage_with(complete);
   for (const RequiredDetection& one : required_detections)
-    EXPECT_EQ(of(coverage, one.name), Coverage::detected) << one.name;
-  EXPECT_TRUE(coverage.is_complete());
+    EXPECT_EQ(of(coverage, one.spoiling), Coverage::detected) << spoiling_name(one.spoiling);
+  EXPECT_TRUE(coverage.missed().empty());
   EXPECT_EQ(coverage.rows_judged, 4);
   EXPECT_EQ(
-      coverage.detections.at("datum").rows,
+      coverage.detections.at(Spoiling::datum).rows,
       std::vector<std::string>{"particles against theory, whole mean_offset of elevation@right"});
 }
 
 TEST(CaseCoverage, OfAPhaseAloneMissesTheAmplitudeTheDatumAndNoise) {
   const CaseCoverage coverage = coverage_with({complete[1]});
-  EXPECT_EQ(of(coverage, "lag"), Coverage::detected);
-  EXPECT_EQ(of(coverage, "truncation"), Coverage::detected);
-  for (const char* missed : {"amplitude", "datum", "noise"})
-    EXPECT_EQ(of(coverage, missed), Coverage::missed) << missed;
-  EXPECT_FALSE(coverage.is_complete());
+  EXPECT_EQ(coverage.missed(), (std::vector<std::string>{"amplitude", "datum", "noise"}));
 }
 
 TEST(HashOfRows, IsThatOfTheRowsInWhateverOrder) {
@@ -67,18 +63,16 @@ TEST(HashOfRows, IsThatOfTheRowsInWhateverOrder) {
 
 TEST(CaseCoverage, WithoutRowsMissesEverything) {
   const CaseCoverage coverage = coverage_with({});
-  for (const RequiredDetection& one : required_detections)
-    EXPECT_EQ(of(coverage, one.name), Coverage::missed) << one.name;
+  EXPECT_EQ(coverage.missed(), names_of_required());
 }
 
 TEST(CaseCoverage, OfLiquidThatNothingMovesHasNoLag) {
   CaseAssessment assessment = surge_with({});
   assessment.definition.motion = {};
   const CaseCoverage coverage = case_coverage(assessment, {});
-  for (const char* moved : {"amplitude", "lag", "noise"})
-    EXPECT_EQ(of(coverage, moved), Coverage::not_applicable) << moved;
-  EXPECT_EQ(of(coverage, "datum"), Coverage::missed);
-  EXPECT_EQ(of(coverage, "truncation"), Coverage::missed);
+  for (const Spoiling moved : {Spoiling::amplitude, Spoiling::lag, Spoiling::noise})
+    EXPECT_EQ(of(coverage, moved), Coverage::not_applicable) << spoiling_name(moved);
+  EXPECT_EQ(coverage.missed(), (std::vector<std::string>{"datum", "truncation"}));
 }
 
 TEST(CaseCoverage, CountsNoRowThatDoesNotPassAsItIs) {
@@ -88,7 +82,7 @@ TEST(CaseCoverage, CountsNoRowThatDoesNotPassAsItIs) {
   definition.gate = {complete[0]};
   const CaseAssessment assessment = assess(definition, surge_runs_with("particles", high));
   const CaseCoverage coverage = case_coverage(assessment, gate_sensitivity(assessment));
-  EXPECT_EQ(of(coverage, "amplitude"), Coverage::missed);
+  EXPECT_EQ(of(coverage, Spoiling::amplitude), Coverage::missed);
   EXPECT_EQ(coverage.rows_judged, 1);
 }
 
@@ -113,7 +107,7 @@ TEST(SelftestRecord, OutlivesItsFile) {
   EXPECT_TRUE(read.quick);
   ASSERT_EQ(read.cases.size(), 1U);
   EXPECT_EQ(read.cases[0].rows_judged, 4);
-  EXPECT_EQ(read.cases[0].detections.at("noise").rows.size(), 1U);
+  EXPECT_EQ(read.cases[0].detections.at(Spoiling::noise).rows.size(), 1U);
   EXPECT_TRUE(shortcomings(read, {surge_with(complete).definition}).empty());
 }
 
