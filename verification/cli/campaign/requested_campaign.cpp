@@ -111,7 +111,6 @@ RequestedCampaign requested(const CampaignOptions& options, const Installation& 
       .definition = definition_of(options, installation), .cases = {}, .settings = {}, .place = {}};
   const fs::path experiments = whole(options.experiments);
   campaign.cases = read_cases(campaign.definition, experiments);
-  campaign.definition.basket = read_basket(campaign.definition, campaign.cases);
   require_matches(options.selection, {campaign.cases, names_of(campaign.definition.problems)});
   require_runnable(campaign.cases);
   if (options.selection.quick)
