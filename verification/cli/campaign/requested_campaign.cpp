@@ -74,6 +74,11 @@ TimingDefinition timing_of(const CampaignDefinition& campaign, const CampaignOpt
   return timing;
 }
 
+// The suffix of the campaign's name in paths.
+std::string form_of(const CampaignOptions& options) {
+  return options.selection.quick ? "-quick" : "";
+}
+
 fs::path output_of(const CampaignOptions& options, const std::string& name,
                    const Installation& installation) {
   return fs::absolute(options.output.empty()
@@ -100,10 +105,6 @@ void require_runnable(const std::vector<CaseDefinition>& cases) {
       complaints.allow([&] { require_runnable(definition, run); });
   }
   complaints.tell();
-}
-
-std::string form_of(const CampaignOptions& options) {
-  return options.selection.quick ? "-quick" : "";
 }
 
 RequestedCampaign requested(const CampaignOptions& options, const Installation& installation) {
