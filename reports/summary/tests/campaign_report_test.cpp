@@ -7,7 +7,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <set>
 #include <stdexcept>
 
 #include "reports/figures/run_looks.hpp"
@@ -388,33 +387,23 @@ TEST(ResultsJson, HasTheClaimsOfTheCampaignsPaperUnderItsNumbers) {
   EXPECT_FALSE(json_of({good()}).contains("claims"));
 }
 
-TEST(ResultsJson, HasTheFieldsOfItsSchema) {
-  const nlohmann::json document = json_of({good()});
-  EXPECT_EQ(document.at("schema"), "slosh results");
-  EXPECT_EQ(document.at("schema_version"), 3);
-  EXPECT_EQ(document.at("campaign"), "surges");
-  EXPECT_EQ(document.at("quick"), true);
+// results_schema_test.cpp compares all of it with the schema.
+TEST(ResultsJson, HasTheNumbersOfTheAssessment) {
+  const nlohmann::json document = json_of({good()}), &one = document.at("cases").at(0);
   EXPECT_EQ(document.at("exit_status"), 0);
   EXPECT_EQ(document.at("core_seconds_s"), campaign_cost({good()}, {}).core_seconds);
   EXPECT_GT(document.at("core_seconds_s"), 0);
-  const nlohmann::json& one = document.at("cases").at(0);
-  EXPECT_EQ(one.at("name"), "small_surge");
   EXPECT_EQ(one.at("runs").size(), 5u);
-  EXPECT_EQ(one.at("comparisons").size(), 4u);
-  EXPECT_EQ(one.at("gate").size(), 3u);
-  EXPECT_EQ(one.at("runs").at(2).at("state"), "finished");
   EXPECT_EQ(one.at("runs").at(2).at("user_time_s"), 1);
+  EXPECT_EQ(one.at("comparisons").size(), 4u);
   const nlohmann::json& comparison = one.at("comparisons").at(0);
   EXPECT_EQ(comparison.at("candidate"), "particles");
   EXPECT_EQ(comparison.at("window_end_s"), 20);
-  EXPECT_EQ(comparison.at("modes").at(0).at("mode"), "forced");
   EXPECT_NEAR(comparison.at("modes").at(0).at("amplitude_error").at("value"), 0, 1e-12);
+  EXPECT_EQ(one.at("gate").size(), 3u);
   const nlohmann::json& row = one.at("gate").at(0);
-  EXPECT_EQ(row.at("uncertainty_95").at("reference"), 0);
   EXPECT_EQ(row.at("uncertainty_95").at("all"), row.at("uncertainty_95").at("time_history"));
   EXPECT_EQ(row.at("verdict"), "pass");
-  EXPECT_NEAR(row.at("tolerance_share"), 0, 1e-9);
-  EXPECT_EQ(row.at("metric"), "amplitude_error");
   EXPECT_EQ(row.at("limit"), 0.05);
   EXPECT_EQ(row.at("line"), 50);
 }
@@ -509,19 +498,13 @@ TEST(ResultsJson, WritesANumberThatIsNoneAsNull) {
   EXPECT_FALSE(row.at("message").get<std::string>().empty());
 }
 
-TEST(ResultsJson, TellsHowARunWithoutAResultEnded) {
-  const nlohmann::json document = json_of(
-      {assess(surge_case(), surge_runs_without("fine_mesh", RunState::failed, "diverged"))});
-  const nlohmann::json& run = document.at("cases").at(0).at("runs").at(4);
-  EXPECT_EQ(run.at("state"), "solver failed");
-  EXPECT_EQ(run.at("message"), "diverged");
-  EXPECT_FALSE(run.contains("user_time_s"));
-}
-
-TEST(ResultsJson, StandsWithAMessageThatIsNotUtf8) {
+TEST(ResultsJson, TellsHowARunWithoutAResultEndedInWhateverBytes) {
   const nlohmann::json document = json_of(
       {assess(surge_case(), surge_runs_without("fine_mesh", RunState::failed, "at 20 \xb0"))});
-  EXPECT_EQ(document.at("cases").at(0).at("runs").at(4).at("message"), "at 20 \xef\xbf\xbd");
+  const nlohmann::json& run = document.at("cases").at(0).at("runs").at(4);
+  EXPECT_EQ(run.at("state"), "solver failed");
+  EXPECT_EQ(run.at("message"), "at 20 \xef\xbf\xbd");
+  EXPECT_FALSE(run.contains("user_time_s"));
 }
 
 }  // namespace
