@@ -163,30 +163,10 @@ void add_paper_sections(const Paper& paper, const std::vector<CaseAssessment>& c
                       std::move(panels.figures)});
 }
 
-// The choices on the basket, and the error of each method against its run time in each of the
-// basket's cases.
-Section basket_with_costs(const BasketAssessment& basket,
-                          const std::vector<CaseAssessment>& cases) {
-  Section section = basket_section(basket);
-  for (const CaseAssessment& one : cases) {
-    const bool is_in_basket =
-        std::any_of(basket.measures.begin(), basket.measures.end(),
-                    [&](const BasketMeasure& of) { return of.case_name == one.definition.name; });
-    if (!is_in_basket) continue;
-    std::vector<reports::Figure> costs = cost_figures(one);
-    if (costs.empty()) continue;
-    costs.front().id += "-side-by-side";
-    costs.front().title += ": " + one.definition.title;
-    section.figures.push_back(std::move(costs.front()));
-  }
-  return section;
-}
-
 // Adds the page of results across several cases, where there are any.
 void add_across_page(const CampaignDefinition& campaign, const std::vector<CaseAssessment>& cases,
-                     const BasketAssessment& basket, reports::Report& report) {
+                     reports::Report& report) {
   std::vector<Section> sections;
-  if (!basket.measures.empty()) sections.push_back(basket_with_costs(basket, cases));
   if (auto walls = wall_treatment_section(cases)) sections.push_back(std::move(*walls));
   if (!campaign.paper.empty())
     add_paper_sections(paper_named(campaign.paper), cases, report, sections);
@@ -274,9 +254,8 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   for (const ProblemAssessment& one : problems)
     if (one.run.status.state != RunState::not_selected)
       report.sections.push_back(problem_section(one));
-  const BasketAssessment basket = assess(campaign.basket, cases);
-  add_across_page(campaign, cases, basket, report);
-  report.results_json = results_json(campaign.name, quick, cases, problems, basket, campaign.paper);
+  add_across_page(campaign, cases, report);
+  report.results_json = results_json(campaign.name, quick, cases, problems, campaign.paper);
   return report;
 }
 

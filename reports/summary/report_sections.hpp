@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "reports/model/report_model.hpp"
-#include "verification/assessment/across_runs/basket.hpp"
 #include "verification/assessment/case_assessment.hpp"
 #include "verification/assessment/predictions.hpp"
 #include "verification/assessment/problem_assessment.hpp"
@@ -22,9 +21,6 @@ std::vector<reports::Section> case_sections(const CaseAssessment& assessment,
 // The statement, the source, the exact solution, errors and observed orders over the resolutions,
 // the figures, and the limits with their reasons, on the page of the problems.
 reports::Section problem_section(const ProblemAssessment& assessment);
-
-// The choices of the campaign's basket, the best one first, and why a value is not available.
-reports::Section basket_section(const BasketAssessment& basket);
 
 // Bias and scatter of the models, after NIST's FDS validation guide: a table and, for each kind of
 // quantity, the ratios of the predicted values to the reference's with their intervals and each

@@ -261,39 +261,6 @@ Json matrix_entry(const VerdictMatrix& matrix, const char* of) {
   return list;
 }
 
-Json measure_entry(const BasketMeasure& measure) {
-  const GateRow& row = measure.row;
-  return {{"case", measure.case_name},
-          {"title", measure.title},
-          {"reference", row.reference.empty() ? Json(nullptr) : Json(row.reference)},
-          {"quantity", row.quantity},
-          {"mode", row.mode},
-          {"metric", metric_name(row.metric)},
-          {"unit", row.unit},
-          {"goal", row.limit.value()}};
-}
-
-Json choice_entry(const BasketChoice& choice) {
-  Json values = Json::array();
-  for (const BasketValue& one : choice.values)
-    values.push_back({{"value", one.value.value},
-                      {"half_width_95", one.value.half_width},
-                      {"ratio", one.ratio},
-                      {"message", one.message}});
-  return {{"choice", choice.name},
-          {"values", values},
-          {"worst_ratio", choice.worst},
-          {"mean_ratio", choice.mean},
-          {"core_seconds_s", choice.core_seconds}};
-}
-
-Json basket_entry(const BasketAssessment& basket) {
-  Json entry{{"measures", Json::array()}, {"choices", Json::array()}};
-  for (const BasketMeasure& one : basket.measures) entry["measures"].push_back(measure_entry(one));
-  for (const BasketChoice& one : basket.choices) entry["choices"].push_back(choice_entry(one));
-  return entry;
-}
-
 Json claims_json(const std::string& paper, const std::vector<CaseAssessment>& cases) {
   Json list = Json::array();
   for (const Claim& claim : claims_of(paper, cases)) {
@@ -338,8 +305,7 @@ nlohmann::ordered_json bias_json(const PredictionSet& set) {
 
 std::string results_json(const std::string& campaign, bool quick,
                          const std::vector<CaseAssessment>& cases,
-                         const std::vector<ProblemAssessment>& problems,
-                         const BasketAssessment& basket, const std::string& paper) {
+                         const std::vector<ProblemAssessment>& problems, const std::string& paper) {
   Json document{{"$schema", "results.schema.json"},
                 {"schema", "slosh results"},
                 {"schema_version", 3},
@@ -373,7 +339,6 @@ std::string results_json(const std::string& campaign, bool quick,
     document["cases"].push_back(std::move(entry));
   }
   for (const ProblemAssessment& one : problems) document["problems"].push_back(problem_entry(one));
-  if (!basket.measures.empty()) document["basket"] = basket_entry(basket);
   if (!paper.empty()) document["claims"] = claims_json(paper, cases);
   // nlohmann writes numbers that are not finite as null. A message may contain a solver's output in
   // any encoding.

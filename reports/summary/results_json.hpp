@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "verification/assessment/across_runs/basket.hpp"
 #include "verification/assessment/case_assessment.hpp"
 #include "verification/assessment/predictions.hpp"
 #include "verification/assessment/problem_assessment.hpp"
@@ -18,7 +17,7 @@ namespace slosh {
 std::string results_json(const std::string& campaign, bool quick,
                          const std::vector<CaseAssessment>& cases,
                          const std::vector<ProblemAssessment>& problems = {},
-                         const BasketAssessment& basket = {}, const std::string& paper = "");
+                         const std::string& paper = "");
 
 // Its parts, each as in results.json.
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace slosh::reports {
 
@@ -12,22 +13,20 @@ struct BrowserRun {
   std::string log;             // holds "CONSOLE" where a script or a resource failed
 };
 
-// What a page of a test's own measured.
-struct MeasuredPage {
-  nlohmann::json measures;
-  std::string log;  // as above
-};
-
 bool browser_is_installed();
 
-// Opens an HTML document that writes JSON into its <pre id="measures">, in at most five seconds of
-// its own clock; files beside it are relative to the directory. The browser's own files stay there.
-// Throws std::runtime_error if the browser does not answer within a minute.
-MeasuredPage measure_in_browser(const std::filesystem::path& directory, const std::string& document,
-                                bool dark);
-
-// Opens the page, whose path is relative to the directory, as measure_in_browser() does.
+// Opens the page, whose path is relative to the directory, for at most five seconds of its own
+// clock. The browser's own files stay there. Throws std::runtime_error if the browser does not
+// answer within a minute.
 BrowserRun open_in_browser(const std::filesystem::path& directory, const std::string& page,
                            bool dark);
+
+// What no page may have at either width, each with its measure: text that is cut off, overlaps, is
+// too small or too faint, figures and tables that do not fit or lack a name, links and ids that
+// lead nowhere or stand twice, no way by keyboard. Empty where nothing is wrong.
+std::vector<std::string> faults_of(const BrowserRun& run);
+
+// Whether levels of headings start at the first and skip none on the way down.
+bool in_order(const std::vector<int>& levels);
 
 }  // namespace slosh::reports

@@ -16,7 +16,7 @@ std::string name_id(const std::string& name) {
 
 std::string case_id(const std::string& case_name) {
   constexpr std::string_view taken[] = {
-      "index", problems_page, across_page, "gate", "worst",  "bias",     "basket",
+      "index", problems_page, across_page, "gate", "worst",  "bias",
       "walls", "problem",     "matrix",    "case", "li2010", "zhao2021",
   };
   const bool is_taken = std::ranges::find(taken, case_name) != std::end(taken);

@@ -62,15 +62,6 @@ struct TimingDefinition {
   std::vector<std::string> only;  // patterns (run_selection.hpp); empty: all
 };
 
-// One measure of the basket of cases on which the choices of a scheme are compared. A choice is the
-// runs of one name.
-struct BasketMeasure {
-  std::string case_name;
-  std::string title;            // the heading of its column
-  GateRow row;                  // without a candidate; its limit is the goal
-  std::string run_suffix = {};  // the runs that are measured are named CHOICE + run_suffix
-};
-
 struct CampaignDefinition {
   std::string name, title, source;
   // The paper whose printed numbers and errata the report shows beside its own: "li2010",
@@ -81,7 +72,6 @@ struct CampaignDefinition {
   std::filesystem::path file;
   std::vector<ProblemDefinition> problems = {};  // in the order of the report, after the cases
   TimingDefinition timing = {};
-  std::vector<BasketMeasure> basket = {};  // in the order of the file; read_basket() reads it
 };
 
 }  // namespace slosh

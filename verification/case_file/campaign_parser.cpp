@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <tuple>
-
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/case_file_error.hpp"
@@ -60,42 +57,6 @@ void read_head(const TomlTable& head, CampaignDefinition& campaign) {
   campaign.paper = head.find("paper", known_paper()).value_or("");
 }
 
-const CaseDefinition& read_case_of_basket(const TomlTable& measure,
-                                          const std::vector<CaseDefinition>& cases) {
-  std::vector<std::string> names;
-  for (const CaseDefinition& one : cases) names.push_back(one.name);
-  const std::string name = measure.choice("case", "a case of the campaign", names);
-  return *std::find_if(cases.begin(), cases.end(),
-                       [&](const CaseDefinition& one) { return one.name == name; });
-}
-
-// A measure that stands twice would count twice in every mean.
-void refuse_second_measure(const TomlTable& table, const BasketMeasure& measure,
-                           const std::vector<BasketMeasure>& others) {
-  const auto subject = [](const BasketMeasure& of) {
-    return std::tie(of.case_name, of.run_suffix, of.row.reference, of.row.quantity, of.row.mode,
-                    of.row.metric);
-  };
-  for (const BasketMeasure& other : others)
-    if (subject(other) == subject(measure))
-      table.refuse_table(
-          fmt::format("{} of {} a second time", metric_name(measure.row.metric), measure.case_name),
-          fmt::format("each measure once; the first is on line {}", other.row.where.line));
-}
-
-BasketMeasure read_measure(const TomlTable& table, const std::vector<CaseDefinition>& cases) {
-  table.allow_only(keys_of("basket"));
-  const CaseDefinition& definition = read_case_of_basket(table, cases);
-  return {definition.name, table.find("title", any_text()).value_or(definition.name),
-          read_basket_row(table, definition), table.find("run_suffix", any_text()).value_or("")};
-}
-
-bool is_of_one_case(const std::vector<BasketMeasure>& basket) {
-  return std::all_of(basket.begin(), basket.end(), [&](const BasketMeasure& one) {
-    return one.case_name == basket.front().case_name;
-  });
-}
-
 }  // namespace
 
 CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_directory,
@@ -131,26 +92,6 @@ CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_dire
   }
   complaints.tell();
   return campaign;
-}
-
-std::vector<BasketMeasure> read_basket(const CampaignDefinition& campaign,
-                                       const std::vector<CaseDefinition>& cases) {
-  const TomlTable root(campaign.text, campaign.file);
-  const std::vector<TomlTable> tables = root.tables("basket");
-  std::vector<BasketMeasure> basket;
-  Complaints complaints;
-  for (const TomlTable& table : tables)
-    complaints.allow([&] {
-      table.read_all([&](const TomlTable& read) {
-        BasketMeasure measure = read_measure(read, cases);
-        refuse_second_measure(read, measure, basket);
-        basket.push_back(std::move(measure));
-      });
-    });
-  complaints.tell();
-  if (!basket.empty() && is_of_one_case(basket))
-    tables.back().refuse("case", "measures of two cases or more in a basket");
-  return basket;
 }
 
 fs::path find_campaign(const std::string& name_or_path, const fs::path& directory) {

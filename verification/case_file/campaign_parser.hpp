@@ -16,11 +16,6 @@ CampaignDefinition read_campaign(const std::filesystem::path& file,
                                  const std::filesystem::path& case_directory,
                                  const std::vector<KnownProblem>& known_problems);
 
-// Reads [[basket]]. The cases are all of the campaign's, with the runs of its sweeps. Throws
-// CaseFileError with the line of the campaign file.
-std::vector<BasketMeasure> read_basket(const CampaignDefinition& campaign,
-                                       const std::vector<CaseDefinition>& cases);
-
 // Finds the file of a campaign, as find_case() in case_parser.hpp does for a case.
 std::filesystem::path find_campaign(const std::string& name_or_path,
                                     const std::filesystem::path& directory);

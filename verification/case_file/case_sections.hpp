@@ -146,10 +146,6 @@ std::vector<TomlTable> gate_rows(const TomlTable& group, const CaseDefinition& d
 // read.
 GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition);
 
-// Reads what [[basket]] measures in the case: a row without a candidate, whose limit is the goal.
-// The definition must be complete, with the runs of the sweeps.
-GateRow read_basket_row(const TomlTable& measure, const CaseDefinition& definition);
-
 // Read the keys `kind` and `source` of a gate row of a case or a problem. A row of regression needs
 // no source: it rests on what was measured before.
 RowKind read_row_kind(const TomlTable& row);

@@ -35,14 +35,6 @@ const MetricEntry& read_metric(const TomlTable& row) {
   return metric_entry(row.choice("metric", "a metric", metric_names()));
 }
 
-// A cost is of many runs, and of a percentile neither end is the better one.
-const MetricEntry& read_metric_with_goal(const TomlTable& measure) {
-  std::vector<std::string> names;
-  for (const MetricEntry& entry : metric_table())
-    if (entry.bound.form == BoundForm::any) names.push_back(entry.name);
-  return metric_entry(measure.choice("metric", "a metric of one run that is best at zero", names));
-}
-
 std::vector<std::string> impact_names(const ImpactsDefinition& impacts) {
   std::vector<std::string> names;
   for (std::size_t n = 1; n <= impacts.times.size(); ++n)
@@ -256,8 +248,8 @@ void refuse_reference(const TomlTable& row, const MetricEntry& metric, const cha
                fmt::format("no reference: {} is measured on {}", metric.name, measured_on));
 }
 
-void read_reference_and_quantity(const TomlTable& row, const MetricEntry& metric,
-                                 const CaseDefinition& definition, GateRow& gate_row) {
+void read_compared_series(const TomlTable& row, const MetricEntry& metric,
+                          const CaseDefinition& definition, GateRow& gate_row) {
   gate_row.reference = row.choice("reference", "a run other than the candidate",
                                   runs_besides({gate_row.candidate}, definition));
   const RecordRun* record = as_record(definition, gate_row.reference);
@@ -266,11 +258,6 @@ void read_reference_and_quantity(const TomlTable& row, const MetricEntry& metric
                                                quantities_of(*record, definition))
                              : choice_or_first(row, "quantity", "a compared quantity",
                                                compared_quantities(definition));
-}
-
-void read_compared_series(const TomlTable& row, const MetricEntry& metric,
-                          const CaseDefinition& definition, GateRow& gate_row) {
-  read_reference_and_quantity(row, metric, definition, gate_row);
   gate_row.unit =
       read_unit(row, metric.name, metric_unit(metric.metric, unit_of(gate_row.quantity)));
 }
@@ -309,19 +296,14 @@ void require_published(const TomlTable& row, Metric metric, const ImpactsDefinit
 }
 
 // Reads the pressure at the gauge of the case's impacts, unfiltered or filtered.
-void read_impact_quantity(const TomlTable& row, const MetricEntry& metric,
-                          const CaseDefinition& definition, GateRow& gate_row) {
+void read_impact_series(const TomlTable& row, const MetricEntry& metric,
+                        const CaseDefinition& definition, GateRow& gate_row) {
   refuse_reference(row, metric, "the published impacts");
   if (!definition.impacts)
     row.refuse("metric", "a metric that needs no [impacts], which this case does not have");
   require_published(row, metric.metric, *definition.impacts);
   gate_row.quantity = choice_or_first(row, "quantity", "the pressure at the gauge of [impacts]",
                                       impact_pressures(definition));
-}
-
-void read_impact_series(const TomlTable& row, const MetricEntry& metric,
-                        const CaseDefinition& definition, GateRow& gate_row) {
-  read_impact_quantity(row, metric, definition, gate_row);
   gate_row.unit = read_unit(row, metric.name, metric.unit);
 }
 
@@ -336,8 +318,8 @@ std::vector<std::string> meshes_besides(const std::string& candidate,
   return names;
 }
 
-void read_field_quantity(const TomlTable& row, const CaseDefinition& definition,
-                         GateRow& gate_row) {
+void read_field(const TomlTable& row, const MetricEntry& metric, const CaseDefinition& definition,
+                GateRow& gate_row) {
   if (definition.snapshot_times.empty())
     row.refuse("metric",
                "a metric that needs no snapshot_times_s in [time], which this case lacks");
@@ -346,11 +328,6 @@ void read_field_quantity(const TomlTable& row, const CaseDefinition& definition,
   gate_row.reference = row.choice("reference", "an OpenFOAM run other than the candidate",
                                   meshes_besides(gate_row.candidate, definition));
   gate_row.quantity = choice_or_first(row, "quantity", "the pressure field", {pressure_field});
-}
-
-void read_field(const TomlTable& row, const MetricEntry& metric, const CaseDefinition& definition,
-                GateRow& gate_row) {
-  read_field_quantity(row, definition, gate_row);
   gate_row.unit = read_unit(row, metric.name, metric.unit);
 }
 
@@ -418,32 +395,6 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   gate_row.where = row.where();
   refuse_second_bound(row, definition, gate_row);
   return gate_row;
-}
-
-GateRow read_basket_row(const TomlTable& measure, const CaseDefinition& definition) {
-  GateRow row{};
-  const std::vector<std::string> compared = compared_quantities(definition);
-  const MetricEntry& metric = read_metric_with_goal(measure);
-  row.metric = metric.metric;
-  if (metric.measured_on == MeasuredOn::own_series) {
-    refuse_reference(measure, metric, "the candidate alone");
-    row.quantity = measure.find("quantity", any_text()).value_or(compared.front());
-    if (row.quantity.find('@') != std::string::npos)  // at a gauge of the case
-      measure.choice("quantity", "a compared quantity", compared);
-  } else if (is_of_impacts(metric.metric)) {
-    read_impact_quantity(measure, metric, definition, row);
-  } else if (is_of_fields(metric.metric)) {
-    read_field_quantity(measure, definition, row);
-  } else {
-    read_reference_and_quantity(measure, metric, definition, row);
-  }
-  const bool is_compared =
-      std::find(compared.begin(), compared.end(), row.quantity) != compared.end();
-  row.unit = metric_unit(metric.metric, is_compared ? unit_of(row.quantity) : "1");
-  row.mode = read_mode(measure, metric, row.quantity, definition);
-  row.limit = measure.get("goal", positive(row.unit));
-  row.where = measure.where();
-  return row;
 }
 
 }  // namespace slosh

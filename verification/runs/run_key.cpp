@@ -193,8 +193,4 @@ bool PresentAnswers::gave(std::string_view key) const {
   return answers.contains(std::string(key.substr(key.find('-') + 1)));
 }
 
-bool asks_the_same(std::string_view key, std::string_view other) {
-  return key.substr(0, key.find('-')) == other.substr(0, other.find('-'));
-}
-
 }  // namespace slosh

@@ -48,7 +48,4 @@ struct PresentAnswers {
 PresentAnswers present_answers(const std::filesystem::path& builds,
                                const std::filesystem::path& openfoam_templates);
 
-// Returns whether two keys have the same question, be it answered by different builds or versions.
-bool asks_the_same(std::string_view key, std::string_view other);
-
 }  // namespace slosh

@@ -1,5 +1,5 @@
 // What the documents say is so: every link leads somewhere, and the files that a page shows are
-// those that are shipped. documented_commands_test.cpp runs their command lines.
+// those that are shipped. documented_commands_test.cpp checks their command lines.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,11 +1,6 @@
 // The animation of a case: its runs and its moments.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <numbers>
-
-#include "reports/pages/check_report.hpp"
-#include "reports/summary/campaign_report.hpp"
 #include "verification/tests/figure_results.hpp"
 
 namespace slosh::case_animation_test {
@@ -63,31 +58,6 @@ TEST(CaseAnimation, IsTheLastFieldAndHasTheFinestRunOfEachSolverAtEachMoment) {
             (Names{"particles, t = 1 s", "fine_mesh, t = 1 s", "particles, t = 1.5 s",
                    "fine_mesh, t = 1.5 s", "particles, t = 2 s", "fine_mesh, t = 2 s"}));
   EXPECT_TRUE(says(animation, "Animation of 3 moments, 0.5 s apart"));
-  const CampaignDefinition campaign{"surges", "Surges", "none", "", {}, "", "surges.toml"};
-  EXPECT_NO_THROW(
-      reports::check_report(campaign_report(campaign, false, "", {assess(definition, runs)})));
-}
-
-TEST(CaseAnimation, HasSolversBeyondTwo) {
-  CaseDefinition definition = animated_case();
-  CaseRuns runs = animated_runs({"particles", "fine_mesh"});
-  for (const std::string scheme : {"li2010", "delta_sph"}) {
-    definition.runs.push_back(sample_run(SphRun{scheme, 0.01, 0.01}));
-    definition.runs.back().name = scheme;
-    runs.results[scheme] = runs.results.at("particles");
-    runs.status[scheme] = {RunState::finished, ""};
-  }
-  const reports::FieldFigure animation = animation_of(definition, runs);
-  ASSERT_EQ(animation.columns, 4);
-  EXPECT_EQ(animation.panels[2].label, "li2010, t = 1 s");
-}
-
-TEST(CaseAnimation, TellsTheRollWithTheTime) {
-  CaseDefinition definition = animated_case();
-  definition.motion = {{}, RollDefinition{SineMotion{0.1, std::numbers::pi / 2}, 0.45, 0.1}};
-  const reports::FieldFigure animation = animation_of(definition, animated_runs({"particles"}));
-  EXPECT_EQ(animation.panels.at(0).label, "particles, t = 1 s, roll 5.73°");
-  EXPECT_NEAR(animation.panels.at(0).angle, 0.1, 1e-12);
 }
 
 TEST(CaseAnimation, KeepsARunThatLacksMomentsAndTellsSo) {

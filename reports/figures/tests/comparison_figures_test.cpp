@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "reports/pages/check_report.hpp"
-#include "reports/summary/campaign_report.hpp"
 #include "verification/tests/figure_results.hpp"
 
 namespace slosh::comparison_figures_test {
@@ -176,11 +174,6 @@ TEST(ConvergenceFigure, IsOfMeshesOnARefinementPathToo) {
   EXPECT_EQ(labels(figure).at(1), "least squares: order 1");
   const TankDefinition tank = definition.tank;
   EXPECT_NEAR(figure.curves.at(0).x.at(0), 1000 * std::sqrt(tank.length * tank.height) / 20, 1e-9);
-}
-
-TEST(ComparisonFigures, AreFitForAReport) {
-  const CampaignDefinition campaign{"surges", "Surges", "none", "", {}, "", "surges.toml"};
-  EXPECT_NO_THROW(reports::check_report(campaign_report(campaign, false, "", {high_and_late()})));
 }
 
 }  // namespace

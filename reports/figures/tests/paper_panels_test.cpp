@@ -134,33 +134,6 @@ TEST(PaperPanels, OfMoreThanSixCurvesAreTwo) {
   EXPECT_EQ(redrawn(panels, "1").anchors.size(), 2u);
 }
 
-TEST(PaperPanels, OfACaseThatIsNotInTheCampaignAreLeftOutAndItIsSaid) {
-  const PaperPanels panels = paper_panels(li, {small_surge()}, {});
-  EXPECT_EQ(redrawn(panels, "5").anchors, Names{});
-  EXPECT_EQ(redrawn(panels, "5").missing,
-            Names{"not part of this campaign: li2010_large_b075, li2010_large_b125"});
-  const reports::Table table = paper_figures_table(li, panels.redrawn);
-  EXPECT_EQ(table.rows.at(0).at(2), "in 1 panel");
-  EXPECT_EQ(table.links.at(0).at(2), panels.redrawn.at(0).anchors.at(0));
-  EXPECT_EQ(table.rows.at(4).at(0), "figure 5");
-  EXPECT_EQ(table.rows.at(4).at(2), "no");
-  EXPECT_EQ(table.rows.at(4).at(3),
-            "not part of this campaign: li2010_large_b075, li2010_large_b125");
-  EXPECT_EQ(table.links.at(4).at(2), "");
-}
-
-TEST(PaperPanels, OfACaseWithoutASimulationAreLeftOutAndItIsSaid) {
-  const PaperPanels panels = paper_panels(li, {small_surge({})}, {});
-  EXPECT_TRUE(panels.figures.empty());
-  EXPECT_EQ(redrawn(panels, "1").missing,
-            Names{"no simulation of li2010_small_amplitude has a result with elevation@right"});
-}
-
-TEST(PaperPanels, OfAFigureThatIsNotKnownAreNone) {
-  EXPECT_EQ(redrawn(paper_panels(zhao, {}, {}), "6").missing,
-            Names{"not known here: what it shows: our text of the paper says nothing of it"});
-}
-
 // Both large amplitudes, the second with waves twice as high.
 std::vector<CaseAssessment> large_surges() {
   std::vector<CaseAssessment> cases;
@@ -184,6 +157,27 @@ std::vector<reports::Figure> of_number(const PaperPanels& panels, const std::str
   return found;
 }
 
+TEST(PaperPanels, AreLeftOutWhereSomethingIsMissingAndItIsSaid) {
+  const PaperPanels small = paper_panels(li, {small_surge()}, {}),
+                    large = paper_panels(li, large_surges(), {});
+  const std::string absent = "not part of this campaign: li2010_large_b075, li2010_large_b125";
+  EXPECT_EQ(redrawn(small, "5").missing, Names{absent});
+  EXPECT_EQ(redrawn(small, "5").anchors, Names{});
+  EXPECT_EQ(redrawn(paper_panels(li, {small_surge({})}, {}), "1").missing,
+            Names{"no simulation of li2010_small_amplitude has a result with elevation@right"});
+  EXPECT_EQ(redrawn(large, "6").missing,
+            (Names{"no simulation of li2010_large_b075 has a result with momentum_z",
+                   "no simulation of li2010_large_b125 has a result with momentum_z"}));
+  EXPECT_EQ(redrawn(paper_panels(zhao, {}, {}), "6").missing,
+            Names{"not known here: what it shows: our text of the paper says nothing of it"});
+  const reports::Table table = paper_figures_table(li, small.redrawn);
+  EXPECT_EQ(table.rows.at(0).at(2), "in 1 panel");
+  EXPECT_EQ(table.links.at(0).at(2), small.redrawn.at(0).anchors.at(0));
+  EXPECT_EQ(table.rows.at(4).at(2), "no");
+  EXPECT_EQ(table.rows[4].at(3), absent);
+  EXPECT_EQ(table.links.at(4).at(2), "");
+}
+
 TEST(PaperPanels, OfOneFigureHaveOneScaleWithoutDimensionsWhereThePaperHasNone) {
   const auto figures = of_number(paper_panels(li, large_surges(), {}), "5");
   ASSERT_EQ(figures.size(), 2u);
@@ -204,14 +198,6 @@ TEST(PaperPanels, OfOneFigureHaveOneScaleWithoutDimensionsWhereThePaperHasNone) 
         "forcing's period are ours."))
         << figure.caption;
   }
-}
-
-TEST(PaperPanels, SayWhichQuantityHasNoRun) {
-  const PaperPanels panels = paper_panels(li, large_surges(), {});
-  EXPECT_EQ(of_number(panels, "6").size(), 2u);
-  EXPECT_EQ(redrawn(panels, "6").missing,
-            (Names{"no simulation of li2010_large_b075 has a result with momentum_z",
-                   "no simulation of li2010_large_b125 has a result with momentum_z"}));
 }
 
 TEST(PaperPanels, OfASpectrumMarkTheForcingAndTwiceThat) {

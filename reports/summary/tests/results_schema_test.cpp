@@ -61,17 +61,6 @@ json whole_document() {
   const ProblemRun failed{{RunState::failed, "killed", failure}, {}};
   CaseRuns diverged = surge_runs_without("fine_mesh", RunState::failed, "diverged");
   diverged.status.at("fine_mesh").failure = failure;
-  GateRow height = surge_row("whole", Metric::largest_magnitude, "m", 0.02);
-  height.candidate = height.reference = "";
-  const BasketMeasure rms{"small_surge", "surge",
-                          surge_row("whole", Metric::normalised_rms, "1", 0.01)};
-  const BasketChoice good{
-      "particles", {{{0.01, 0}, 1, ""}, {{0.03, 0.001}, 1.5, ""}}, 1.5, 1.25, 2},
-      unusable{"unusable",
-               {{no_value, not_a_number, "the run failed"}, {{0.03, not_a_number}, 1.5, ""}},
-               not_a_number,
-               not_a_number,
-               not_a_number};
   return json::parse(results_json(
       "surges", true,
       {assess(surge_case(), surge_runs()), assess(bounded, surge_runs()),
@@ -79,7 +68,7 @@ json whole_document() {
        assess(surge_case(), surge_runs_without("theory", RunState::not_supplied, "nowhere"))},
       {assess(ProblemDefinition{"manufactured_operators", {order}}, run),
        assess(ProblemDefinition{"taylor_green", {order}}, failed)},
-      {{rms, {"another", "another", height}}, {good, unusable}}, "li2010"));
+      "li2010"));
 }
 
 TEST(ResultsSchema, IsKeptToByEveryKindOfOutcome) { EXPECT_EQ(complaints(whole_document()), ""); }
@@ -90,27 +79,13 @@ TEST(ResultsSchema, IsKeptToByACampaignOfNothing) {
 
 TEST(ResultsSchema, RefusesADocumentWithoutAnyOneOfItsKeys) {
   const json whole = whole_document();
-  for (const char* place : {"/schema",
-                            "/schema_version",
-                            "/campaign",
-                            "/exit_status",
-                            "/verdict_matrix/0/verdict",
-                            "/problem_matrix/0/metric",
-                            "/model_bias/0/bias",
-                            "/model_bias/0/comparisons/0/predicted",
-                            "/cases/0/name",
-                            "/cases/0/runs/0/state",
-                            "/cases/0/gate/0/value",
-                            "/cases/0/gate/0/uncertainty_95/all",
-                            "/cases/0/comparisons/0/modes/0/phase_lag_deg/value",
-                            "/problems/0/measures/0/errors/0/step",
-                            "/problems/0/gate/0/verdict",
-                            "/claims/0/number",
-                            "/claims/0/verdict",
-                            "/basket/measures",
-                            "/basket/measures/0/goal",
-                            "/basket/choices/0/worst_ratio",
-                            "/basket/choices/1/values/0/message"}) {
+  for (const char* place :
+       {"/schema", "/schema_version", "/campaign", "/exit_status", "/verdict_matrix/0/verdict",
+        "/problem_matrix/0/metric", "/model_bias/0/bias", "/model_bias/0/comparisons/0/predicted",
+        "/cases/0/name", "/cases/0/runs/0/state", "/cases/0/gate/0/value",
+        "/cases/0/gate/0/uncertainty_95/all", "/cases/0/comparisons/0/modes/0/phase_lag_deg/value",
+        "/problems/0/measures/0/errors/0/step", "/problems/0/gate/0/verdict", "/claims/0/number",
+        "/claims/0/verdict"}) {
     const json::json_pointer pointer(place);
     json cut = whole;
     ASSERT_TRUE(cut.contains(pointer)) << place;
@@ -136,9 +111,6 @@ TEST(ResultsSchema, RefusesAValueOfAnotherTypeAndAKeyThatItDoesNotKnow) {
   EXPECT_NE(with("/model_bias/0/comparisons/0/predicted", -1), "");
   EXPECT_NE(with("/cases/0/runs", json::object()), "");
   EXPECT_NE(with("/cases/0/gate/0/tolerence", 1), "");
-  EXPECT_NE(with("/basket/measures/0/goal", 0), "");
-  EXPECT_NE(with("/basket/choices/0/values/0/ratio", "1"), "");
-  EXPECT_NE(with("/basket/choices/0/verdict", "pass"), "");
   EXPECT_EQ(with("/cases/0/gate/0/value", nullptr), "");
 }
 

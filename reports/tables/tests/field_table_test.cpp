@@ -49,8 +49,7 @@ TEST(FieldTable, IsLeftOutWhereNoFieldsWereCompared) {
 }
 
 TEST(FieldTable, HasItsNumbersInTheResultsForPrograms) {
-  const auto json =
-      nlohmann::json::parse(results_json("a_campaign", false, {with_fields()}, {}, {}));
+  const auto json = nlohmann::json::parse(results_json("a_campaign", false, {with_fields()}));
   const auto& pair = json["cases"][0]["fields"][1];
   EXPECT_EQ(pair["candidate"], "coarse_mesh");
   EXPECT_EQ(pair["reference"], "fine_mesh");
@@ -59,7 +58,7 @@ TEST(FieldTable, HasItsNumbersInTheResultsForPrograms) {
   EXPECT_NEAR(pair["moments"][1]["pressure_rms"], 500 / (9810 * 0.35), 1e-9);
   EXPECT_NEAR(json["cases"][0]["fields"][0]["moments"][0]["uncovered_share"], 0.2, 1e-9);
   const auto without = nlohmann::json::parse(
-      results_json("a_campaign", false, {assess(surge_case(), surge_runs())}, {}, {}));
+      results_json("a_campaign", false, {assess(surge_case(), surge_runs())}));
   EXPECT_FALSE(without["cases"][0].contains("fields"));
 }
 

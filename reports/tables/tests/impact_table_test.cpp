@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "reports/pages/check_report.hpp"
-#include "reports/summary/campaign_report.hpp"
 #include "reports/tables/case_tables.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/tests/impact_runs.hpp"
@@ -166,20 +164,6 @@ TEST(CaseWithImpacts, IsGatedOnThePressureAsItIsAndFiltered) {
     EXPECT_EQ(outcome.verdict, Verdict::violated) << outcome.message;
   for (const GateOutcome& outcome : assessed(pressure_of({.until = 4})).gate)
     EXPECT_EQ(outcome.verdict, Verdict::not_compared) << outcome.message;
-}
-
-TEST(CaseWithImpacts, IsReportedWithThem) {
-  const CampaignDefinition campaign{"rolls", "Rolls", "none", "zhao2021", {}, "", "rolls.toml"};
-  const reports::Report report =
-      campaign_report(campaign, false, "./slosh campaign rolls", {assessed(pressure_of({}))});
-  EXPECT_NO_THROW(reports::check_report(report));
-  const auto section = std::find_if(report.sections.begin(), report.sections.end(),
-                                    [](const auto& one) { return one.id == "impacts-tables"; });
-  ASSERT_NE(section, report.sections.end());
-  const auto& tables = section->tables;
-  EXPECT_TRUE(std::any_of(tables.begin(), tables.end(), [](const reports::Table& table) {
-    return table.id == "impacts-impacts";
-  }));
 }
 
 }  // namespace

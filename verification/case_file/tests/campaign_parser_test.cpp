@@ -100,7 +100,7 @@ TEST_F(CampaignParser, RefusesEachKindOfMistakeWithItsPlace) {
   expect_complaint(
       head + list + "tag = 1\n",
       "trial.toml:6: tag = 1: expected only these keys here: schema_version, name, title, "
-      "source, paper, cases, problem, sweep, basket, timing; nearest known key: name");
+      "source, paper, cases, problem, sweep, timing; nearest known key: name");
   expect_complaint("schema_version = 1\nname = \"a b\"\n",
                    "trial.toml:2: name = \"a b\": expected a name of");
   expect_complaint("schema_version = 3\n", "trial.toml:1: schema_version = 3: expected 1");

@@ -16,7 +16,6 @@
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/campaign/known_drawings.hpp"
 #include "verification/cli/campaign/assessed_campaign.hpp"
-#include "verification/cli/campaign/campaign_history.hpp"
 #include "verification/cli/campaign/report_of_all.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/protected_inputs.hpp"
@@ -39,20 +38,14 @@ void require_possible(const CampaignOptions& options, const CampaignSettings& se
 
 fs::path page_in(const fs::path& place) { return place / "report/index.html"; }
 
-// What a report needs beside the assessment.
-struct ReportSources {
-  CampaignPast past;
-  std::string campaign;  // as a command line names it
-};
-
+// `campaign` is as a command line names it.
 void leave_report(const AssessedCampaign& assessed, const CampaignOptions& options,
-                  const ReportSources& sources) {
+                  const std::string& campaign) {
   const std::string command =
-      fmt::format("./slosh campaign {}{}{}", sources.campaign, selection_options(options.selection),
+      fmt::format("./slosh campaign {}{}{}", campaign, selection_options(options.selection),
                   experiments_option(whole(options.experiments)));
   reports::Report report = campaign_report(assessed.definition, options.selection.quick, command,
                                            assessed.cases, assessed.problems);
-  add_past(assessed, sources.past, report);
   KnownDrawings drawings(assessed.output / "drawings");
   reports::write_report(report, assessed.output / "report",
                         {.threads = sph::usable_cores(),
@@ -73,13 +66,10 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   }
   const fs::path place = campaign.place;
   require_no_input(place / "report");
-  const CampaignPast past{campaign.settings.store, campaign.definition.name + form_of(options)};
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   std::cerr << complaints(assessed.cases, assessed.problems);
   print_lines(gate_lines(assessed.cases, assessed.problems));
-  if (options.solve && !options.selection.is_partial()) keep_state(assessed, past);
-  leave_report(assessed, options,
-               {past, name_or_path(assessed.definition.file, installation.campaigns)});
+  leave_report(assessed, options, name_or_path(assessed.definition.file, installation.campaigns));
   const int status = exit_status(assessed.cases, assessed.problems);
   std::vector<std::string> lines{fmt::format("{}: {}{}", headline_word(status),
                                              verdict_sentence(assessed.cases, assessed.problems),

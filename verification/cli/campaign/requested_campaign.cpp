@@ -74,6 +74,11 @@ TimingDefinition timing_of(const CampaignDefinition& campaign, const CampaignOpt
   return timing;
 }
 
+// The suffix of the campaign's name in paths.
+std::string form_of(const CampaignOptions& options) {
+  return options.selection.quick ? "-quick" : "";
+}
+
 fs::path output_of(const CampaignOptions& options, const std::string& name,
                    const Installation& installation) {
   return fs::absolute(options.output.empty()
@@ -102,16 +107,11 @@ void require_runnable(const std::vector<CaseDefinition>& cases) {
   complaints.tell();
 }
 
-std::string form_of(const CampaignOptions& options) {
-  return options.selection.quick ? "-quick" : "";
-}
-
 RequestedCampaign requested(const CampaignOptions& options, const Installation& installation) {
   RequestedCampaign campaign{
       .definition = definition_of(options, installation), .cases = {}, .settings = {}, .place = {}};
   const fs::path experiments = whole(options.experiments);
   campaign.cases = read_cases(campaign.definition, experiments);
-  campaign.definition.basket = read_basket(campaign.definition, campaign.cases);
   require_matches(options.selection, {campaign.cases, names_of(campaign.definition.problems)});
   require_runnable(campaign.cases);
   if (options.selection.quick)

@@ -78,6 +78,16 @@ int places(const Drawn& box, double dp) {
   return along(box.left, box.right) * along(box.bottom, box.top);
 }
 
+// A name that nothing defines leaves an empty text in a template.
+TEST(DualSphysicsCase, FillsEveryPlaceOfItsTemplate) {
+  for (const char* name : {"zhao2021_mild_roll", "surge_with_baffle"}) {
+    Handed handed(name);
+    const std::string text = handed.to("dualsphysics", 0.005).file(name + std::string("_Def.xml"));
+    for (const char* empty : {"\"\"", "{{", "><"})
+      EXPECT_EQ(text.find(empty), text.npos) << name << empty;
+  }
+}
+
 TEST(DualSphysicsCase, UsesNoElementThatGenCaseHasNotRead) {
   std::set<std::string> known, written;
   add_paths(real_definition(), "", known);

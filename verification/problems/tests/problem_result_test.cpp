@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "verification/problems/problem_list.hpp"
-#include "verification/runs/run_key.hpp"
+#include "verification/runs/tests/key_question.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::problem_result_test {

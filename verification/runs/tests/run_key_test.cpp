@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "verification/runs/tests/key_question.hpp"
 #include "verification/tests/sample_case.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
