@@ -23,9 +23,9 @@ template <class Choice>
 Particles after_a_surge(InstructionSet set) {
   const Scene scene = surging_scene(spacing, 0.2);
   const Scheme<Choice> scheme(scene);
-  Liquid<Scheme<Choice>> liquid(scene, scheme, initial_lattice(scene, [&](double pressure) {
-                                  return scheme.state.density(pressure);
-                                }));
+  Liquid liquid(scene, method_of(scheme), initial_lattice(scene, [&](double pressure) {
+                  return scheme.state.density(pressure);
+                }));
   liquid.use(set);
   typename Choice::Integrator integrator;
   const double dt = 0.4 * scheme.setting.smoothing_length() / scheme.setting.speed_of_sound;
