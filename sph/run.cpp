@@ -71,7 +71,7 @@ int samples_per(const char* what, double interval, const Scene& scene) {
 }
 
 std::vector<std::string> terms_of_run(const Scene& scene, const Method& method) {
-  std::vector<std::string> terms = method.active_terms;
+  std::vector<std::string> terms = method.active_terms();
   const Setting& setting = method.terms->setting;
   if (gap_layers(setting).largest_friction() > 0)
     terms.push_back(fmt::format("boundary layers of the front and the back wall {:.4g} m apart",

@@ -96,7 +96,7 @@ struct Method {
   TimeStep time_step;
   Integrator integrator;
   InitialState initial_state;
-  std::vector<std::string> active_terms;
+  std::vector<std::string> (*active_terms)();
 
   // Returns the longest step that is stable with these [s] (terms/time_step.hpp).
   double stable_step(double largest_acceleration, double largest_speed_of_sound) const {
@@ -131,7 +131,7 @@ Method method_of(const Scheme<Choice>& scheme) {
           scheme.time_step,
           typename Choice::Integrator{},
           Choice::initial_state,
-          active_terms<Choice>()};
+          &active_terms<Choice>};
 }
 
 }  // namespace slosh::sph
