@@ -152,8 +152,7 @@ void add_diagnostics(RunMemory& run, const Scene& scene, RunOutput& output) {
   output.diagnostics["smoothing_length_ratio"] = setting.smoothing_length_ratio;
   output.diagnostics["evaluations_per_step"] =
       std::visit([](const auto& own) { return own.evaluations; }, run.integrator);
-  if (adapts(run.liquid.method()))
-    output.diagnostics["courant_number"] = setting.courant_number;
+  if (adapts(run.liquid.method())) output.diagnostics["courant_number"] = setting.courant_number;
   output.diagnostics["smallest_time_step_s"] = run.smallest_step;
   output.diagnostics["wall_crossings"] = static_cast<double>(output.exchanged_at_walls);
   for (const RecordedSeries& series : output.soundness)
