@@ -15,15 +15,15 @@
 namespace slosh {
 namespace {
 
-using Measures = std::vector<BasketMeasure>;
+using BasketMeasures = std::vector<BasketMeasure>;
 
-bool is_in_basket(const CaseAssessment& one, const Measures& measures) {
+bool is_in_basket(const CaseAssessment& one, const BasketMeasures& measures) {
   return std::any_of(measures.begin(), measures.end(), [&](const BasketMeasure& measure) {
     return measure.case_name == one.definition.name;
   });
 }
 
-std::vector<const CaseAssessment*> cases_of(const Measures& measures,
+std::vector<const CaseAssessment*> cases_of(const BasketMeasures& measures,
                                             const std::vector<CaseAssessment>& cases) {
   std::vector<const CaseAssessment*> found;
   for (const CaseAssessment& one : cases)
@@ -31,26 +31,27 @@ std::vector<const CaseAssessment*> cases_of(const Measures& measures,
   return found;
 }
 
-bool is_reference(const std::string& run, const Measures& measures) {
+bool is_reference(const std::string& run, const BasketMeasures& measures) {
   return std::any_of(measures.begin(), measures.end(),
                      [&](const BasketMeasure& one) { return one.row.reference == run; });
 }
 
-bool is_candidate(const RunDefinition& run, const CaseAssessment& of, const Measures& measures) {
+bool is_candidate(const RunDefinition& run, const CaseAssessment& of,
+                  const BasketMeasures& measures) {
   return is_simulation(run) && !is_later_member(run) && !run.at_input &&
          !is_reference(run.name, measures) &&
          of.runs.status.at(run.name).state != RunState::not_selected;
 }
 
 // Whether the run is measured for the choice that its name begins with.
-bool has_suffix(const std::string& run, const Measures& measures) {
+bool has_suffix(const std::string& run, const BasketMeasures& measures) {
   return std::any_of(measures.begin(), measures.end(), [&](const BasketMeasure& one) {
     return !one.run_suffix.empty() && run.ends_with(one.run_suffix);
   });
 }
 
 // Returns the names in the order in which the cases declare them.
-std::vector<std::string> names_of_choices(const Measures& measures,
+std::vector<std::string> names_of_choices(const BasketMeasures& measures,
                                           const std::vector<const CaseAssessment*>& cases) {
   std::vector<std::pair<std::string, int>> counted;
   for (const CaseAssessment* one : cases)
@@ -101,7 +102,7 @@ double core_seconds_of(const std::string& choice, const std::vector<const CaseAs
   return sum;
 }
 
-BasketChoice assessed(const std::string& name, const Measures& measures,
+BasketChoice assessed(const std::string& name, const BasketMeasures& measures,
                       const std::vector<const CaseAssessment*>& cases) {
   BasketChoice choice{name, {}, 0, 0, core_seconds_of(name, cases)};
   for (const BasketMeasure& measure : measures) {
