@@ -31,7 +31,7 @@
 namespace slosh::reference {
 namespace {
 
-constexpr auto where = "LinearRoll";
+constexpr auto in_linear_roll = "LinearRoll";
 
 // A mode contributes nothing where its motion at the gauge's depth is exp(-40) = 4e-18 of that at
 // the surface.
@@ -39,24 +39,25 @@ constexpr double negligible_exponent = 40;
 
 const RollMotion& checked(const RollMotion& motion) {
   for (const auto* function : {&motion.angle, &motion.rate, &motion.acceleration}) {
-    require(static_cast<bool>(*function), where, "motion", "an empty function",
+    require(static_cast<bool>(*function), in_linear_roll, "motion", "an empty function",
             "angle, rate and acceleration of the time, all three");
   }
-  require(std::isfinite(motion.axis_x), where, "axis_x", motion.axis_x, "a finite position, m");
+  require(std::isfinite(motion.axis_x), in_linear_roll, "axis_x", motion.axis_x,
+          "a finite position, m");
   return motion;
 }
-
-// The liquid, or the gas as a liquid that hangs from the surface.
-struct Layer {
-  double density, height, side;
-  double wall_moment;  // StokesJoukowski's
-
-  double mass(double length) const { return density * length * height; }
-};
 
 }  // namespace
 
 struct LinearRoll::Modes {
+  // The liquid, or the gas as a liquid that hangs from the surface.
+  struct Layer {
+    double density, height, side;
+    double wall_moment;  // StokesJoukowski's
+
+    double mass(double length) const { return density * length * height; }
+  };
+
   Tank tank;
   std::function<double(double)> angle, rate;
   double axis_x, axis_z;
@@ -75,7 +76,8 @@ struct LinearRoll::Modes {
         modes(roll_modes(tank, gas, {start, axis_z, motion.rate(0)}, count)),
         rigid(tank, axis_x, axis_z),
         layers{{tank.density, tank.fill_depth, 1, rigid.wall_moment()}},
-        waves(modes, {where, motion.acceleration, motion.duration, motion.step, motion.knots}) {
+        waves(modes,
+              {in_linear_roll, motion.acceleration, motion.duration, motion.step, motion.knots}) {
     if (!gas) return;
     const Tank hanging{tank.length, gas->height, tank.gravity, gas->density};
     layers.push_back(
@@ -87,9 +89,9 @@ struct LinearRoll::Modes {
   };
 
   Instant at(double t) const {
-    const double time = time_within(where, t, waves.duration());
+    const double time = time_within(in_linear_roll, t, waves.duration());
     const double theta = angle(time);
-    require(std::isfinite(theta), where, fmt::format("angle at {} s", time), theta,
+    require(std::isfinite(theta), in_linear_roll, fmt::format("angle at {} s", time), theta,
             "a finite angle, rad");
     return {time, theta, waves.acceleration(time)};
   }
@@ -113,7 +115,7 @@ double LinearRoll::elevation(double x, double t) const {
 }
 
 std::vector<double> LinearRoll::elevation(double x, std::span<const double> times) const {
-  require_within(modes_->tank, where, x);
+  require_within(modes_->tank, in_linear_roll, x);
   const std::vector<double> shape = surface_shapes(modes_->modes, x);
   std::vector<double> series;
   series.reserve(times.size());
@@ -134,7 +136,7 @@ double LinearRoll::pressure(double x, double z, double t) const {
 
 std::vector<double> LinearRoll::pressure(double x, double z, std::span<const double> times) const {
   const Tank& tank = modes_->tank;
-  require_within(tank, where, x, z);
+  require_within(tank, in_linear_roll, x, z);
   const double rigid = modes_->rigid.potential(x, z);
   std::vector<double> shape;
   for (const TankMode& mode : modes_->modes) {
@@ -166,7 +168,7 @@ LinearRoll::Force LinearRoll::force(double t) const {
     wave_part += (n % 2 == 0 ? 2 : -2) * modes_->wave_acceleration(n, now) / (lambda * lambda);
   }
   Force force{0, 0};
-  for (const Layer& layer : modes_->layers) {
+  for (const Modes::Layer& layer : modes_->layers) {
     const double arm = modes_->axis_z + layer.side * layer.height / 2;
     force.x -= layer.mass(length) * (gravity * now.angle + arm * now.acceleration) +
                layer.density * layer.side * wave_part;
@@ -177,7 +179,7 @@ LinearRoll::Force LinearRoll::force(double t) const {
 
 LinearRoll::Velocity LinearRoll::velocity(double x, double z, double t) const {
   const Tank& tank = modes_->tank;
-  require_within(tank, where, x, z);
+  require_within(tank, in_linear_roll, x, z);
   const double time = modes_->at(t).time, turning = modes_->rate(time);
   const auto [flow_x, flow_z] = modes_->rigid.flow_in_tank(x, z);
   Velocity velocity{turning * flow_x, turning * flow_z};
@@ -198,7 +200,7 @@ double LinearRoll::moment(double t) const {
   const double axis_x = modes_->axis_x, axis_z = modes_->axis_z;
   const auto now = modes_->at(t);
   double moment = 0;
-  for (const Layer& layer : modes_->layers) {
+  for (const Modes::Layer& layer : modes_->layers) {
     double wave_part = 0;
     for (std::size_t n = 0; n < modes_->modes.size(); ++n) {
       const TankMode& mode = modes_->modes[n];

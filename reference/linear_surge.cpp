@@ -28,7 +28,7 @@
 namespace slosh::reference {
 namespace {
 
-constexpr auto where = "LinearSurge";
+constexpr auto in_linear_surge = "LinearSurge";
 
 }  // namespace
 
@@ -43,7 +43,7 @@ struct LinearSurge::Modes {
       : tank(tank),
         gas(gas.value_or(Gas{0, 0})),
         response(
-            where,
+            in_linear_surge,
             surge_modes(tank, gas,
                         start == Start::earth ? SurgeResponse::initial_velocity(motion) : 0, count),
             motion) {}
@@ -75,7 +75,7 @@ double LinearSurge::elevation(double x, double t) const {
 }
 
 std::vector<double> LinearSurge::elevation(double x, std::span<const double> times) const {
-  require_within(modes_->tank, where, x);
+  require_within(modes_->tank, in_linear_surge, x);
   const std::vector<double> shape = surface_shapes(modes_->modes(), x);
   std::vector<double> series;
   series.reserve(times.size());
@@ -90,7 +90,7 @@ std::vector<double> LinearSurge::elevation(double x, std::span<const double> tim
 }
 
 LinearSurge::Velocity LinearSurge::velocity(double x, double z, double t) const {
-  require_within(modes_->tank, where, x, z);
+  require_within(modes_->tank, in_linear_surge, x, z);
   Velocity velocity{0, 0};
   modes_->for_each(modes_->response.checked_time(t), [&](std::size_t n, const ModeState& state) {
     const TankMode& mode = modes_->modes()[n];
@@ -103,7 +103,7 @@ LinearSurge::Velocity LinearSurge::velocity(double x, double z, double t) const 
 }
 
 double LinearSurge::pressure(double x, double z, double t) const {
-  require_within(modes_->tank, where, x, z);
+  require_within(modes_->tank, in_linear_surge, x, z);
   const Tank& tank = modes_->tank;
   const double time = modes_->response.checked_time(t);
   double potential_rate = 0;

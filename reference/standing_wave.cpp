@@ -10,12 +10,12 @@
 namespace slosh::reference {
 namespace {
 
-constexpr auto where = "StandingWave";
+constexpr auto in_standing_wave = "StandingWave";
 
 }  // namespace
 
 double mode_shape(const Tank& tank, int mode, double x) {
-  require_within(tank, where, x);
+  require_within(tank, in_standing_wave, x);
   return std::cos(mode * std::numbers::pi * (x / tank.length + 0.5));
 }
 
@@ -26,11 +26,12 @@ StandingWave::StandingWave(const Tank& tank, const std::optional<Gas>& gas, cons
       angular_frequency_(gas ? natural_frequency(tank, *gas, wave.mode)
                              : natural_frequency(tank, wave.mode)),
       density_difference_(tank.density - (gas ? gas->density : 0)) {
-  require(std::isfinite(wave.amplitude), where, "amplitude", wave.amplitude, "a finite length, m");
+  require(std::isfinite(wave.amplitude), in_standing_wave, "amplitude", wave.amplitude,
+          "a finite length, m");
 }
 
 double StandingWave::acceleration(double t) const {
-  const double time = time_within(where, t, std::numeric_limits<double>::max());
+  const double time = time_within(in_standing_wave, t, std::numeric_limits<double>::max());
   return wave_.amplitude * angular_frequency_ * angular_frequency_ *
          std::cos(angular_frequency_ * time);
 }
@@ -41,8 +42,8 @@ double StandingWave::elevation(double x, double t) const {
 }
 
 StandingWave::Velocity StandingWave::velocity(double x, double z, double t) const {
-  require_within(tank_, where, x, z);
-  const double time = time_within(where, t, std::numeric_limits<double>::max());
+  require_within(tank_, in_standing_wave, x, z);
+  const double time = time_within(in_standing_wave, t, std::numeric_limits<double>::max());
   const double speed = wave_.amplitude * angular_frequency_ * std::sin(angular_frequency_ * time) /
                        std::tanh(wave_number_ * tank_.fill_depth);
   const double phase = wave_number_ * (x + tank_.length / 2);
@@ -51,7 +52,7 @@ StandingWave::Velocity StandingWave::velocity(double x, double z, double t) cons
 }
 
 double StandingWave::pressure(double x, double z, double t) const {
-  require_within(tank_, where, x, z);
+  require_within(tank_, in_standing_wave, x, z);
   const double profile = depth_profile(wave_number_, z, tank_.fill_depth).cosh /
                          (wave_number_ * std::tanh(wave_number_ * tank_.fill_depth));
   return tank_.density *

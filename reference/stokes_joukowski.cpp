@@ -11,7 +11,7 @@ namespace {
 // m > 4000, which is 4.03e-9 length^2.
 constexpr int most_terms = 2000;
 // A term below exp(-40) = 4e-18 of the first is left out.
-constexpr double negligible_exponent = 40;
+constexpr double negligible_decay = 40;
 
 }  // namespace
 
@@ -35,7 +35,7 @@ StokesJoukowski::Flow StokesJoukowski::flow_in_tank(double x, double z) const {
   Flow flow{0, -2 * x};
   for (int n = 0; n < most_terms; ++n) {
     const double lambda = (2 * n + 1) * std::numbers::pi / length_;
-    if (lambda * std::min(to_surface, to_bottom) > negligible_exponent) break;
+    if (lambda * std::min(to_surface, to_bottom) > negligible_decay) break;
     const double c_n = (n % 2 == 0 ? 4 : -4) / (length_ * lambda * lambda);
     const double from_surface = std::exp(-lambda * to_surface),
                  from_bottom = std::exp(-lambda * to_bottom),
@@ -53,7 +53,7 @@ double StokesJoukowski::potential(double x, double z) const {
   double sum = 0;
   for (int n = 0; n < most_terms; ++n) {
     const double lambda = (2 * n + 1) * std::numbers::pi / length_;
-    if (lambda * std::min(to_surface, to_bottom) > negligible_exponent) break;
+    if (lambda * std::min(to_surface, to_bottom) > negligible_decay) break;
     const double c_n = (n % 2 == 0 ? 4 : -4) / (length_ * lambda * lambda);
     const double profile = (std::exp(-lambda * to_surface) - std::exp(-lambda * to_bottom)) /
                            (1 + std::exp(-lambda * depth_));

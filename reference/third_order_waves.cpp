@@ -16,8 +16,8 @@ using Eigen::ArrayXd, Eigen::MatrixXd, Eigen::VectorXd;
 constexpr int modes = 16, points = 2 * modes;  // of products of three no mode is aliased
 constexpr double step_of_fastest = 0.3;        // [rad] of the last mode in one step
 // The last modes would grow from rounding, as in nonlinear_potential_flow.cpp.
-constexpr double smoothing_rate = 10;
-constexpr int smoothing_power = 16;
+constexpr double filter_rate = 10;
+constexpr int filter_power = 16;
 
 struct State {
   VectorXd elevation, potential;  // of the modes 1 to `modes`
@@ -47,8 +47,7 @@ class Waves {
     for (int n = 0; n < modes; n += 2) along_[n] = -4 / (length * k_[n] * k_[n]);
     decay_ = 2 * waves.kinematic_viscosity * k_.square();
     const ArrayXd order = ArrayXd::LinSpaced(modes, 1, modes) / modes;
-    smoothing_ =
-        smoothing_rate * std::sqrt(waves.tank.gravity / length) * order.pow(smoothing_power);
+    smoothing_ = filter_rate * std::sqrt(waves.tank.gravity / length) * order.pow(filter_power);
   }
 
   State start() const {

@@ -12,7 +12,7 @@ namespace {
 using Complex = std::complex<double>;
 using std::numbers::pi;
 
-constexpr auto where = "ViscousStandingWave";
+constexpr auto in_viscous_standing_wave = "ViscousStandingWave";
 constexpr double smallest_share = 1e-16;  // of the height, as small as a double's rounding
 
 struct Wave {
@@ -47,7 +47,7 @@ Complex rate_of_pair(const Wave& wave) {
     if (std::abs(step) <= 4 * std::numeric_limits<double>::epsilon() * std::abs(s)) break;
   }
   const double residual = std::abs(dispersion(wave, s).value) / wave.sigma2;
-  require(residual <= 1e-12 && s.imag() > 0 && s.real() < 0, where,
+  require(residual <= 1e-12 && s.imag() > 0 && s.real() < 0, in_viscous_standing_wave,
           "residual of the dispersion relation", residual, "at most 1e-12, of a damped wave");
   return s;
 }
@@ -73,8 +73,10 @@ ViscousStandingWave::ViscousStandingWave(const Tank& tank, double kinematic_visc
     : tank_(tank), wave_(wave) {
   const double sigma = natural_frequency(tank, wave.mode), nu = kinematic_viscosity;
   const Wave of{wave.mode * pi / tank.length, tank.fill_depth, nu, sigma * sigma};
-  require(std::isfinite(wave.amplitude), where, "amplitude", wave.amplitude, "a finite length, m");
-  require(nu > 0 && 4 * nu * of.k * of.k <= sigma, where, "kinematic viscosity", nu,
+  require(std::isfinite(wave.amplitude), in_viscous_standing_wave, "amplitude", wave.amplitude,
+          "a finite length, m");
+  require(nu > 0 && 4 * nu * of.k * of.k <= sigma, in_viscous_standing_wave, "kinematic viscosity",
+          nu,
           fmt::format("a viscosity > 0 and <= {:.3g} m2/s, a quarter of omega / k^2",
                       sigma / (4 * of.k * of.k)));
   const Complex rate = rate_of_pair(of);
@@ -92,7 +94,7 @@ ViscousStandingWave::ViscousStandingWave(const Tank& tank, double kinematic_visc
 }
 
 double ViscousStandingWave::relative_height(double t) const {
-  const double time = time_within(where, t, std::numeric_limits<double>::max());
+  const double time = time_within(in_viscous_standing_wave, t, std::numeric_limits<double>::max());
   double height = 2 * (pair_.share * std::exp(pair_.rate * time)).real();
   for (const auto& [rate, share] : layer_) height += share * std::exp(rate * time);
   return height;

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstddef>
+#include <variant>
 
 #include "sph/neighbours/particles.hpp"
 
@@ -24,8 +25,8 @@ inline void add_scaled(Array<double>& y, double dt, const Array<double>& rate) {
 // Staggered leapfrog: velocities are stored at half steps, positions and densities at whole steps.
 // A step takes one momentum and one continuity sum; the divergence is evaluated in the middle of
 // the step with the velocity at that time. The method is of second order for constant steps and
-// stable up to dt c0 / h of about 1.3 on a calm lattice; run_scheme.hpp shortens the step where the
-// liquid is compressed.
+// stable up to dt c0 / h of about 1.3 on a calm lattice; the main loop (run.cpp) shortens the step
+// where the liquid is compressed.
 struct StaggeredLeapfrog {
   static constexpr const char* name = "staggered leapfrog";
   static constexpr int evaluations = 1;
@@ -143,5 +144,12 @@ struct Verlet {
     previous_dt = dt;
   }
 };
+
+using Integrator = std::variant<StaggeredLeapfrog, PredictorCorrector, Symplectic, Verlet>;
+
+template <class Liquid>
+void advance(Integrator& integrator, Liquid& liquid, double dt) {
+  std::visit([&](auto& own) { own.advance(liquid, dt); }, integrator);
+}
 
 }  // namespace slosh::sph

@@ -1,7 +1,12 @@
 #include "sph/scheme.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+
+#include "sph/start/initial_lattice.hpp"
 
 namespace slosh::sph {
 namespace {
@@ -61,6 +66,13 @@ Setting setting_of(const Scene& scene, const SchemeNumbers& own) {
               chosen(run.artificial_viscosity, own.artificial_viscosity, "artificial_viscosity"),
           .density_diffusion =
               chosen(run.density_diffusion, own.density_diffusion, "density_diffusion")};
+}
+
+std::vector<std::string> named_terms(std::initializer_list<const char*> names) {
+  std::vector<std::string> terms;
+  for (const char* name : names)
+    if (*name) terms.push_back(name);
+  return terms;
 }
 
 }  // namespace slosh::sph

@@ -3,8 +3,6 @@
 #pragma once
 
 #include "sph/integrators.hpp"
-#include "sph/neighbours/lanes.hpp"
-#include "sph/run_output.hpp"
 #include "sph/scene.hpp"
 #include "sph/terms/density_diffusion.hpp"
 #include "sph/terms/equation_of_state.hpp"
@@ -291,10 +289,5 @@ struct InOutline : Choice {
 using OutlineVariants =
     ChoiceList<WithGhostWalls, WithStickingGhostWalls, InOutline<WithLaminarViscosity>,
                InOutline<WithStickingWallsAndLaminarViscosity>>;
-
-// Runs a scheme of the list. run_scheme.hpp defines it; it is instantiated in sph/instantiations/,
-// one file for each kind of variant, so that the files compile in parallel.
-template <class Choice>
-RunOutput run_scheme(const Scene& scene, const Progress& progress);
 
 }  // namespace slosh::sph

@@ -8,7 +8,9 @@
 
 #include "sph/coarse_run.hpp"
 #include "sph/restart/saved_state.hpp"
+#include "sph/run.hpp"
 #include "sph/scheme.hpp"
+#include "sph/scheme_terms.hpp"
 #include "sph/schemes.hpp"
 #include "sph/threads.hpp"
 
@@ -16,34 +18,27 @@ namespace slosh::sph {
 namespace {
 
 // A choice, made available at run time under its name.
-struct Method {
-  RunOutput (*run)(const Scene&, const Progress&);
-  double (*stable_time_step)(const Scene&);
+struct Named {
+  Method (*method)(const Scene&);
   bool rolls;
 };
-using Methods = std::map<std::string, Method>;
+using Methods = std::map<std::string, Named>;
 
 template <class Choice>
-Method method_of() {
-  return {&run_scheme<Choice>,
-          [](const Scene& scene) {
-            const Scheme<Choice> scheme(scene);
-            const double at_bottom =
-                scheme.state.density(scene.rest_density * scene.gravity * scene.fill_depth);
-            return scheme.time_step(scene.gravity, scheme.state.speed_of_sound_at(at_bottom));
-          },
+Named named() {
+  return {[](const Scene& scene) { return method_of(Scheme<Choice>(scene)); },
           Choice::Frame::takes_roll};
 }
 
 template <class... Choices>
 Methods methods_of(ChoiceList<Choices...>) {
-  return {{Choices::variant, method_of<Choices>()}...};
+  return {{Choices::variant, named<Choices>()}...};
 }
 
 // The variants of `recommended` that can roll in the tank's frame, under their names.
 template <class... Choices>
 Methods in_tank(ChoiceList<Choices...>) {
-  return {{Choices::variant, method_of<InTank<Choices>>()}...};
+  return {{Choices::variant, named<InTank<Choices>>()}...};
 }
 
 std::vector<std::string> names_of(const Methods& table) {
@@ -53,11 +48,11 @@ std::vector<std::string> names_of(const Methods& table) {
 }
 
 const Methods& schemes() {
-  static const Methods table{{"li2010", method_of<Li2010>()},
-                             {"delta_sph", method_of<DeltaSph>()},
-                             {"recommended", method_of<Recommended>()},
-                             {"zhao2021_moving", method_of<Zhao2021Moving>()},
-                             {"zhao2021_fixed", method_of<Zhao2021Fixed>()}};
+  static const Methods table{{"li2010", named<Li2010>()},
+                             {"delta_sph", named<DeltaSph>()},
+                             {"recommended", named<Recommended>()},
+                             {"zhao2021_moving", named<Zhao2021Moving>()},
+                             {"zhao2021_fixed", named<Zhao2021Fixed>()}};
   return table;
 }
 
@@ -66,9 +61,9 @@ const Methods& schemes() {
 const Methods& rolling() {
   static const Methods table = [] {
     Methods all = in_tank(RollingVariants{});
-    all.merge(Methods{{"li2010", method_of<InTank<Li2010>>()},
-                      {"delta_sph", method_of<InTank<DeltaSph>>()},
-                      {"recommended", method_of<InTank<Recommended>>()}});
+    all.merge(Methods{{"li2010", named<InTank<Li2010>>()},
+                      {"delta_sph", named<InTank<DeltaSph>>()},
+                      {"recommended", named<InTank<Recommended>>()}});
     return all;
   }();
   return table;
@@ -79,7 +74,7 @@ const Methods& variants() {
   return table;
 }
 
-Method named(const Methods& table, const char* what, const std::string& name) {
+Named look_up(const Methods& table, const char* what, const std::string& name) {
   const auto found = table.find(name);
   if (found == table.end())
     throw std::invalid_argument(fmt::format("{} = \"{}\": expected one of {}", what, name,
@@ -98,8 +93,8 @@ Methods in_outline(bool rolls) {
   return all;
 }
 
-Method chosen(const std::string& scheme, const Scene& scene) {
-  const Method method = named(schemes(), "scheme", scheme);
+Named chosen(const std::string& scheme, const Scene& scene) {
+  const Named method = look_up(schemes(), "scheme", scheme);
   const auto turned = rolling().find(scene.variant.empty() ? scheme : scene.variant);
   const bool uniform = scene.surface_particle_spacing == scene.particle_spacing;
   if (!scene.variant.empty() && scheme != "recommended")
@@ -109,19 +104,19 @@ Method chosen(const std::string& scheme, const Scene& scene) {
     throw std::invalid_argument("scheme " + scheme +
                                 " takes one particle spacing: surface_particle_spacing differs");
   if (!scene.outline.empty()) {
-    if (!scene.variant.empty()) named(variants(), "variant", scene.variant);
+    if (!scene.variant.empty()) look_up(variants(), "variant", scene.variant);
     const bool varies = !scene.variant.empty();
-    return named(
+    return look_up(
         in_outline(scene.roll.has_value()),
         varies ? "variant in a tank that is no rectangle" : "scheme in a tank that is no rectangle",
         varies ? scene.variant : scheme);
   }
-  if (!uniform) return method_of<Li2010TwoSpacings>();
+  if (!uniform) return named<Li2010TwoSpacings>();
   if (scene.roll && turned != rolling().end()) return turned->second;
-  return scene.variant.empty() ? method : named(variants(), "variant", scene.variant);
+  return scene.variant.empty() ? method : look_up(variants(), "variant", scene.variant);
 }
 
-void require_roll(const Method& method) {
+void require_roll(const Named& method) {
   if (method.rolls) return;
   std::vector<std::string> can_roll;
   for (const auto& [name, variant] : variants())
@@ -162,16 +157,19 @@ std::vector<std::string> scheme_names() { return names_of(schemes()); }
 std::vector<std::string> variant_names() { return names_of(variants()); }
 
 double stable_time_step(const std::string& scheme, const Scene& scene) {
-  return chosen(scheme, scene).stable_time_step(scene);
+  const Method method = chosen(scheme, scene).method(scene);
+  const double at_bottom =
+      method.terms->density(scene.rest_density * scene.gravity * scene.fill_depth);
+  return method.stable_step(scene.gravity, method.terms->speed_of_sound_at(at_bottom));
 }
 
 RunOutput run(const std::string& scheme, const Scene& scene, const Progress& progress) {
-  const Method method = chosen(scheme, scene);
-  if (scene.roll) require_roll(method);
+  const Named named = chosen(scheme, scene);
+  if (scene.roll) require_roll(named);
   if (scene.speed_from_coarse_run && !scene.coarse_run && scene.takes_steps)
     return run(scheme, with_measured_speed(scheme, scene), progress);
   const ThreadScope threads(scene.threads.value_or(threads_for(particles_in(scene))));
-  return method.run(scene, progress);
+  return run(named.method(scene), scene, progress);
 }
 
 }  // namespace slosh::sph

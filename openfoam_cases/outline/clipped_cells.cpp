@@ -12,11 +12,11 @@
 namespace slosh::openfoam {
 namespace {
 
-constexpr double snap_tolerance = 1e-9;  // in cells; far above round-off, far below any effect
+constexpr double snap_distance = 1e-9;  // in cells; far above round-off, far below any effect
 
 double snapped(double value, double size, int cells) {
   const double at = value / size * cells, nearest = std::round(at);
-  return std::abs(at - nearest) <= snap_tolerance ? size * (nearest / cells) : value;
+  return std::abs(at - nearest) <= snap_distance ? size * (nearest / cells) : value;
 }
 
 Corner snapped(const UniformGrid& grid, Corner place) {

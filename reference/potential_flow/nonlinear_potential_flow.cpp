@@ -18,7 +18,7 @@ namespace {
 namespace odeint = boost::numeric::odeint;
 using Eigen::Index, Eigen::VectorXd;
 
-constexpr auto where = "run_nonlinear_potential_flow";
+constexpr auto in_nonlinear_potential_flow = "run_nonlinear_potential_flow";
 
 constexpr double step_tolerance = 1e-11;
 // In first natural periods. With 64 nodes the grid's highest mode needs a step of 1/150.
@@ -46,21 +46,25 @@ constexpr double lowest_wave = 1e-3;
 void check(const NonlinearSloshing& sloshing, const Observation& observation) {
   const Tank& tank = sloshing.tank;
   natural_frequency(tank, 1);  // throws for an impossible length, depth or gravity
-  require(tank.density > 0 && std::isfinite(tank.density), where, "liquid density", tank.density,
-          "a density > 0 kg/m3");
-  require(sloshing.roof > 0, where, "roof", sloshing.roof, "a height > 0 m above the surface");
-  require(sloshing.nodes_x >= 8, where, "nodes_x", sloshing.nodes_x, "8 or more");
-  require(sloshing.nodes_z >= 8, where, "nodes_z", sloshing.nodes_z, "8 or more");
+  require(tank.density > 0 && std::isfinite(tank.density), in_nonlinear_potential_flow,
+          "liquid density", tank.density, "a density > 0 kg/m3");
+  require(sloshing.roof > 0, in_nonlinear_potential_flow, "roof", sloshing.roof,
+          "a height > 0 m above the surface");
+  require(sloshing.nodes_x >= 8, in_nonlinear_potential_flow, "nodes_x", sloshing.nodes_x,
+          "8 or more");
+  require(sloshing.nodes_z >= 8, in_nonlinear_potential_flow, "nodes_z", sloshing.nodes_z,
+          "8 or more");
   double last = 0;
   for (const double t : observation.times) {
-    require(t >= last && std::isfinite(t), where, "time", t, "rising times from 0 s on");
+    require(t >= last && std::isfinite(t), in_nonlinear_potential_flow, "time", t,
+            "rising times from 0 s on");
     last = t;
   }
-  for (const double x : observation.gauges) require_within(tank, where, x);
+  for (const double x : observation.gauges) require_within(tank, in_nonlinear_potential_flow, x);
   for (const auto& [x, z] : observation.places) {
-    require_within(tank, where, x);
-    require(z >= -(1 + rounding) * tank.fill_depth && z <= sloshing.roof, where, "z", z,
-            "a height from the bottom to the roof, m");
+    require_within(tank, in_nonlinear_potential_flow, x);
+    require(z >= -(1 + rounding) * tank.fill_depth && z <= sloshing.roof,
+            in_nonlinear_potential_flow, "z", z, "a height from the bottom to the roof, m");
   }
 }
 
@@ -118,12 +122,12 @@ class Run {
     const LegendreGrid& grid = flow_.x();
     const Index n = grid.nodes.size();
     const double tilt = place(sloshing_.motion, 0).angle;
-    require(std::abs(tilt) < std::numbers::pi / 2, where, "angle at 0 s", tilt,
-            "an angle within a quarter turn, rad");
+    require(std::abs(tilt) < std::numbers::pi / 2, in_nonlinear_potential_flow, "angle at 0 s",
+            tilt, "an angle within a quarter turn, rad");
     VectorXd elevation = -std::tan(tilt) * grid.nodes;
     if (sloshing_.initial_elevation) elevation = grid.nodes.unaryExpr(sloshing_.initial_elevation);
-    require(elevation.allFinite(), where, "initial elevation", elevation.sum(),
-            "finite heights, m");
+    require(elevation.allFinite(), in_nonlinear_potential_flow, "initial elevation",
+            elevation.sum(), "finite heights, m");
     VectorXd potential = flow_.potential_at_rest_in_tank(elevation, 0);
     if (sloshing_.start == Start::earth) {
       const VectorXd at_rest = potential;

@@ -7,11 +7,12 @@
 namespace slosh::reference {
 namespace {
 
-constexpr auto where = "TankMotion";
+constexpr auto in_tank_motion = "TankMotion";
 
 double value(const std::function<double(double)>& function, std::string_view name, double t) {
   const double value = function(t);
-  require(std::isfinite(value), where, fmt::format("{} at {} s", name, t), value, "a finite value");
+  require(std::isfinite(value), in_tank_motion, fmt::format("{} at {} s", name, t), value,
+          "a finite value");
   return value;
 }
 
@@ -25,12 +26,14 @@ double TankPlace::height(double x, double z) const {
 TankPlace place(const TankMotion& motion, double t) {
   const bool surges = motion.surge_velocity || motion.surge_acceleration;
   const bool rolls = motion.angle || motion.rate || motion.roll_acceleration;
-  require(!surges || (motion.surge_velocity && motion.surge_acceleration), where, "surge",
+  require(!surges || (motion.surge_velocity && motion.surge_acceleration), in_tank_motion, "surge",
           "an empty function", "velocity and acceleration, or neither");
-  require(!rolls || (motion.angle && motion.rate && motion.roll_acceleration), where, "roll",
-          "an empty function", "angle, rate and acceleration, or none of them");
-  require(std::isfinite(motion.axis_x), where, "axis_x", motion.axis_x, "a finite position, m");
-  require(std::isfinite(motion.axis_z), where, "axis_z", motion.axis_z, "a finite height, m");
+  require(!rolls || (motion.angle && motion.rate && motion.roll_acceleration), in_tank_motion,
+          "roll", "an empty function", "angle, rate and acceleration, or none of them");
+  require(std::isfinite(motion.axis_x), in_tank_motion, "axis_x", motion.axis_x,
+          "a finite position, m");
+  require(std::isfinite(motion.axis_z), in_tank_motion, "axis_z", motion.axis_z,
+          "a finite height, m");
 
   const double angle = rolls ? value(motion.angle, "angle", t) : 0;
   const double rate = rolls ? value(motion.rate, "rate", t) : 0;

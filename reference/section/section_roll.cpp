@@ -16,22 +16,22 @@
 namespace slosh::reference {
 namespace {
 
-constexpr auto where = "SectionRoll";
+constexpr auto in_section_roll = "SectionRoll";
 
 const SectionRollMotion& checked(const SectionRollMotion& motion) {
   for (const auto* function : {&motion.angle, &motion.rate, &motion.acceleration}) {
-    require(static_cast<bool>(*function), where, "motion", "an empty function",
+    require(static_cast<bool>(*function), in_section_roll, "motion", "an empty function",
             "angle, rate and acceleration of the time, all three");
   }
-  require(std::isfinite(motion.axis.x) && std::isfinite(motion.axis.z), where, "axis",
+  require(std::isfinite(motion.axis.x) && std::isfinite(motion.axis.z), in_section_roll, "axis",
           fmt::format("({}, {})", motion.axis.x, motion.axis.z), "a finite position, m");
-  require(std::isfinite(motion.rate(0)), where, "initial rate", motion.rate(0),
+  require(std::isfinite(motion.rate(0)), in_section_roll, "initial rate", motion.rate(0),
           "a finite rate, rad/s");
   return motion;
 }
 
-std::vector<TankMode> roll_modes(const SectionFlow& flow, Start start,
-                                 const SectionRollMotion& motion) {
+std::vector<TankMode> modes_of_roll(const SectionFlow& flow, Start start,
+                                    const SectionRollMotion& motion) {
   std::vector<TankMode> modes;
   const double rate = checked(motion).rate(0), above = motion.axis.z - flow.middle().z;
   for (Eigen::Index n = 0; n < flow.modes(); ++n) {
@@ -60,16 +60,19 @@ struct SectionRoll::Waves {
       : flow(section.flow()),
         angle(motion.angle),
         rate(motion.rate),
-        modes(roll_modes(*flow, start, motion)),
+        modes(modes_of_roll(*flow, start, motion)),
         right(motion.axis.x - flow->middle().x),
         above(motion.axis.z - flow->middle().z),
-        response(modes, {where, motion.acceleration, motion.duration, motion.step, motion.knots}) {}
+        response(modes, {in_section_roll, motion.acceleration, motion.duration, motion.step,
+                         motion.knots}) {}
 
-  double checked_time(double t) const { return time_within(where, t, response.duration()); }
+  double checked_time(double t) const {
+    return time_within(in_section_roll, t, response.duration());
+  }
 
   double checked_angle(double t) const {
     const double theta = angle(t);
-    require(std::isfinite(theta), where, fmt::format("angle at {} s", t), theta,
+    require(std::isfinite(theta), in_section_roll, fmt::format("angle at {} s", t), theta,
             "a finite angle, rad");
     return theta;
   }
@@ -97,7 +100,7 @@ double SectionRoll::elevation(double x, double t) const {
 }
 
 std::vector<double> SectionRoll::elevation(double x, std::span<const double> times) const {
-  const auto place = waves_->flow->on_surface(where, x);
+  const auto place = waves_->flow->on_surface(in_section_roll, x);
   std::vector<double> series;
   series.reserve(times.size());
   for (const double t : times) {
@@ -110,7 +113,7 @@ std::vector<double> SectionRoll::elevation(double x, std::span<const double> tim
 
 SectionRoll::Velocity SectionRoll::velocity(double x, double z, double t) const {
   const SectionFlow& flow = *waves_->flow;
-  const auto place = flow.values(where, x, z);
+  const auto place = flow.values(in_section_roll, x, z);
   const double time = waves_->checked_time(t), turning = waves_->rate(time);
   const Eigen::Index turn = flow.turn(), lifted = flow.lifted_line();
   Velocity velocity{turning * (place.x_slope[turn] - place.x_slope[lifted] + z - flow.middle().z),
@@ -130,7 +133,7 @@ double SectionRoll::pressure(double x, double z, double t) const {
 std::vector<double> SectionRoll::pressure(double x, double z, std::span<const double> times) const {
   const SectionFlow& flow = *waves_->flow;
   const double g = flow.section().gravity;
-  const auto place = flow.values(where, x, z);
+  const auto place = flow.values(in_section_roll, x, z);
   const double side = x - flow.middle().x, up = z - flow.middle().z;
   const double carried = place.potential[flow.turn()] - place.potential[flow.lid()] +
                          waves_->above * (side - place.potential[flow.line()]) - waves_->right * up;

@@ -8,10 +8,10 @@
 namespace slosh::reference {
 namespace {
 
-constexpr auto where = "SectionSurge";
+constexpr auto in_section_surge = "SectionSurge";
 
-std::vector<TankMode> surge_modes(const SectionFlow& flow, double initial_velocity) {
-  require(std::isfinite(initial_velocity), where, "initial velocity", initial_velocity,
+std::vector<TankMode> modes_of_surge(const SectionFlow& flow, double initial_velocity) {
+  require(std::isfinite(initial_velocity), in_section_surge, "initial velocity", initial_velocity,
           "a finite velocity, m/s");
   std::vector<TankMode> modes;
   for (Eigen::Index n = 0; n < flow.modes(); ++n) {
@@ -35,10 +35,10 @@ struct SectionSurge::Waves {
   template <class Motion>
   Waves(const SectionModes& modes, Start start, const Motion& motion)
       : flow(modes.flow()),
-        response(
-            where,
-            surge_modes(*flow, start == Start::earth ? SurgeResponse::initial_velocity(motion) : 0),
-            motion) {}
+        response(in_section_surge,
+                 modes_of_surge(
+                     *flow, start == Start::earth ? SurgeResponse::initial_velocity(motion) : 0),
+                 motion) {}
 
   // Returns sum e_n phi_n at a place with the potentials given.
   double wave(const Eigen::VectorXd& potential, double t) const {
@@ -63,7 +63,7 @@ double SectionSurge::elevation(double x, double t) const {
 }
 
 std::vector<double> SectionSurge::elevation(double x, std::span<const double> times) const {
-  const auto place = waves_->flow->on_surface(where, x);
+  const auto place = waves_->flow->on_surface(in_section_surge, x);
   std::vector<double> series;
   series.reserve(times.size());
   for (const double t : times) {
@@ -73,7 +73,7 @@ std::vector<double> SectionSurge::elevation(double x, std::span<const double> ti
 }
 
 SectionSurge::Velocity SectionSurge::velocity(double x, double z, double t) const {
-  const auto place = waves_->flow->values(where, x, z);
+  const auto place = waves_->flow->values(in_section_surge, x, z);
   const double time = waves_->response.checked_time(t);
   Velocity velocity{0, 0};
   for (std::size_t n = 0; n < waves_->response.modes().size(); ++n) {
@@ -92,7 +92,7 @@ std::vector<double> SectionSurge::pressure(double x, double z,
                                            std::span<const double> times) const {
   const SectionFlow& flow = *waves_->flow;
   const double g = flow.section().gravity;
-  const auto place = flow.values(where, x, z);
+  const auto place = flow.values(in_section_surge, x, z);
   const double carried = x - flow.middle().x - place.potential[flow.line()];
   std::vector<double> series;
   series.reserve(times.size());

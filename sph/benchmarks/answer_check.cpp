@@ -39,9 +39,10 @@ template <class Choice>
 void check(const char* name) {
   const Scene scene = benchmark_scene(16, {});
   const Scheme<Choice> scheme(scene);
-  Liquid<Scheme<Choice>> liquid(scene, scheme, flowing(scene, scheme, Flow::violent));
+  Liquid liquid(scene, method_of(scheme), flowing(scene, scheme, Flow::violent));
   const Rates expected =
-      AllPairs(scheme.setting, formulas_of<Choice>(), liquid.particles, liquid.tank_at(0)).rates();
+      AllPairs(scheme.setting, formulas_of<Choice>(), liquid.particles, liquid.tank_at(0).walls)
+          .rates();
   for (const InstructionSet set : instruction_sets) {
     if (!has(set)) continue;
     liquid.use(set);

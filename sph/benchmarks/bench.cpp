@@ -54,7 +54,7 @@ struct Size {
 };
 constexpr Size sizes[] = {{"20k", 100, 48}, {"100k", 224, 48}, {"500k", 500, 24}};
 
-struct Method {
+struct TimedMethod {
   const char* name;
   std::unique_ptr<Stepping> (*make)(int rows, Flow flow);
 };
@@ -71,7 +71,7 @@ std::unique_ptr<Stepping> make_with_neighbours(int rows, Flow flow) {
   return std::make_unique<SteppingOf<Choice>>(benchmark_scene(rows, ratio), flow);
 }
 
-constexpr Method methods[] = {
+constexpr TimedMethod methods[] = {
     {"wendland_20", make_with_neighbours<WithWendlandC2, 20>},
     {"wendland_48", make_with_neighbours<WithWendlandC2, 48>},
     {"recommended", make_stepping<Recommended>},
@@ -98,7 +98,7 @@ StepTiming time_steps(Stepping& stepping, int steps, int threads) {
           static_cast<double>(stepping.rebuilds - rebuilds_before) / steps};
 }
 
-void whole_step(benchmark::State& state, const Method& method, Flow flow, const Size& size,
+void whole_step(benchmark::State& state, const TimedMethod& method, Flow flow, const Size& size,
                 int threads) try {
   omp_set_num_threads(threads);
   const auto stepping = method.make(size.rows, flow);
@@ -124,7 +124,7 @@ void whole_step(benchmark::State& state, const Method& method, Flow flow, const 
   fail(state, error);
 }
 
-void memory(benchmark::State& state, const Method& method) {
+void memory(benchmark::State& state, const TimedMethod& method) {
   const std::size_t before = counted_memory().now;
   const auto stepping = method.make(sizes[2].rows, Flow::calm);
   restart_peak();
@@ -221,7 +221,7 @@ void add_all() {
         if (has(set) && (set == widest_instruction_set() || (&size == &sizes[0])))
           add(fmt::format("loop/{}/{}/{}", name_of(which), instruction_set_name(set), size.name), 3,
               loop, which, set, size);
-  for (const Method& method : methods)
+  for (const TimedMethod& method : methods)
     for (const Flow flow : {Flow::calm, Flow::violent})
       for (const int threads : {1, 2})
         for (const Size& size : sizes) {
@@ -229,7 +229,7 @@ void add_all() {
           add(fmt::format("step/{}/{}/{}/{}", method.name, name_of(flow), size.name, threads), 2,
               whole_step, method, flow, size, threads);
         }
-  for (const Method& method : methods)
+  for (const TimedMethod& method : methods)
     add(fmt::format("memory/{}", method.name), 1, memory, method);
 }
 

@@ -31,7 +31,7 @@ inline constexpr double bytes_of_source = sizeof(Source) + sizeof(std::uint32_t)
 
 class PairLoops {
  public:
-  using Method = Scheme<WithWendlandC2>;
+  using Measured = Scheme<WithWendlandC2>;
 
   PairLoops(int rows, double smoothing_length_ratio)
       : scene_(benchmark_scene(rows, smoothing_length_ratio)),
@@ -56,7 +56,7 @@ class PairLoops {
         return neighbours_.refresh_for_continuity(scheme_, particles_, walls_);
       case Loop::rebuild:
         // The short step gives lists with the smallest slack, those of a calm flow.
-        if (!neighbours_.rebuild<WithWendlandC2::Mirror>(particles_, walls_, 1e-9))
+        if (!neighbours_.rebuild(particles_, walls_, 1e-9, WithWendlandC2::Mirror::exists))
           throw std::runtime_error("a particle is not in the tank");
     }
   }
@@ -82,13 +82,13 @@ class PairLoops {
   }
 
   const Scene scene_;
-  const Method scheme_;
-  const TankWalls walls_{.left = 0,
-                         .right = scene_.tank_length,
-                         .bottom = 0,
-                         .roof = scene_.tank_height,
-                         .velocity = 0,
-                         .acceleration = 0};
+  const Measured scheme_;
+  const Tank walls_ = TankWalls{.left = 0,
+                                .right = scene_.tank_length,
+                                .bottom = 0,
+                                .roof = scene_.tank_height,
+                                .velocity = 0,
+                                .acceleration = 0};
   Particles particles_;
   NeighbourSources neighbours_;
   Rates rates_;

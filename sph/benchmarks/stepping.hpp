@@ -1,4 +1,4 @@
-// A liquid that is advanced as in a run (run_scheme.hpp), with the time of the neighbour search
+// A liquid that is advanced as in a run (run.hpp), with the time of the neighbour search
 // measured separately.
 #pragma once
 
@@ -12,7 +12,7 @@
 #include "sph/benchmarks/flows.hpp"
 #include "sph/guards/stability_guard.hpp"
 #include "sph/liquid.hpp"
-#include "sph/run_scheme.hpp"
+#include "sph/run.hpp"
 #include "sph/scheme.hpp"
 
 namespace slosh::sph {
@@ -29,16 +29,15 @@ class Stepping {
   long rebuilds = 0;
 };
 
-template <class Scheme>
-class TimedLiquid : public Liquid<Scheme> {
+class TimedLiquid : public Liquid {
  public:
-  TimedLiquid(const Scene& scene, const Scheme& scheme, Particles initial, Stepping& stepping)
-      : Liquid<Scheme>(scene, scheme, std::move(initial)), stepping_(stepping) {}
+  TimedLiquid(const Scene& scene, Method method, Particles initial, Stepping& stepping)
+      : Liquid(scene, std::move(method), std::move(initial)), stepping_(stepping) {}
 
   void renew_neighbours(double dt) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
-    if (Liquid<Scheme>::renew_neighbours(dt)) ++stepping_.rebuilds;
+    if (Liquid::renew_neighbours(dt)) ++stepping_.rebuilds;
     stepping_.neighbour_seconds += std::chrono::duration<double>(Clock::now() - start).count();
   }
 
@@ -52,7 +51,7 @@ class SteppingOf : public Stepping {
   SteppingOf(const Scene& scene, Flow flow)
       : scene_(scene),
         scheme_(scene_),
-        liquid_(scene_, scheme_, flowing(scene_, scheme_, flow), *this),
+        liquid_(scene_, method_of(scheme_), flowing(scene_, scheme_, flow), *this),
         first_energy_(energy()) {}
 
   void step() override {
@@ -86,7 +85,7 @@ class SteppingOf : public Stepping {
 
   const Scene scene_;
   const Scheme<Choice> scheme_;
-  TimedLiquid<Scheme<Choice>> liquid_;
+  TimedLiquid liquid_;
   typename Choice::Integrator integrator_;
   double first_energy_;
 };

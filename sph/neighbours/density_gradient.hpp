@@ -66,10 +66,11 @@ struct Renormalisation {
   }
 };
 
-template <class Scheme>
+// The template depends on the kernel alone, so that schemes share its builds.
+template <class Kernel>
 struct DensityGradientOfCluster {
   template <Vector Number>
-  static void run(const Scheme* scheme, const Cluster* cluster, const Source* sources,
+  static void run(double inverse_h, const Cluster* cluster, const Source* sources,
                   const Particles* particles, DensityGradient* gradient) {
     const Particles& p = *particles;
     for (std::size_t i = cluster->first; i < cluster->first + cluster->size;
@@ -81,8 +82,7 @@ struct DensityGradientOfCluster {
       Number sum_x{}, sum_z{};
       const auto add = [&](const auto& b, std::size_t) {
         const auto dx = x - b.x, dz = z - b.z;
-        const auto f = b.weight * gradient_over_distance<typename Scheme::Kernel>(
-                                      dx * dx + dz * dz, scheme->smoothing.inverse_length);
+        const auto f = b.weight * gradient_over_distance<Kernel>(dx * dx + dz * dz, inverse_h);
         support.add(f, dx, dz);
         sum_x += f * (b.density - rho) * dx;
         sum_z += f * (b.density - rho) * dz;
@@ -95,15 +95,16 @@ struct DensityGradientOfCluster {
   }
 };
 
-template <class Scheme, class Tank>
+template <class Scheme>
 void sum_density_gradient(const Scheme& scheme, const NeighbourSources& neighbours,
                           const Particles& particles, const Tank& tank, DensityGradient& gradient,
                           InstructionSet set) {
   gradient.x.resize(particles.size());
   gradient.z.resize(particles.size());
   neighbours.clusters().for_each([&](const Cluster& cluster) {
-    call_in_registers<DensityGradientOfCluster<Scheme>>(
-        set, &scheme, &cluster, neighbours.sources(), &particles, &gradient);
+    call_in_registers<DensityGradientOfCluster<typename Scheme::Kernel>>(
+        set, scheme.smoothing.inverse_length, &cluster, neighbours.sources(), &particles,
+        &gradient);
   });
   const double sound = scheme.state.speed_of_sound;
   const double compressibility = scheme.setting.rest_density / (sound * sound);  // d rho / d(p/rho)

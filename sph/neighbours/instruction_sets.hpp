@@ -1,5 +1,6 @@
 // Several builds of the hot functions from one source, chosen at run time: for AVX-512, for AVX2,
-// and for the instructions that every processor of the architecture has.
+// and for the instructions that every processor of the architecture has. With SLOSH_PLAIN_LOOPS,
+// which sanitized builds define, there is the last one alone.
 #pragma once
 
 #include "sph/neighbours/lanes.hpp"
@@ -22,7 +23,7 @@ inline const char* instruction_set_name(InstructionSet set) {
   return "";
 }
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(SLOSH_PLAIN_LOOPS)
 inline bool has(InstructionSet set) {
   __builtin_cpu_init();
   if (set == InstructionSet::avx512)
@@ -41,22 +42,6 @@ template <auto function, class... Arguments>
 template <auto function, class... Arguments>
 [[gnu::target("arch=x86-64-v3"), gnu::flatten]] void call_avx2(Arguments... arguments) {
   function(arguments...);
-}
-#else
-inline bool has(InstructionSet set) { return set == InstructionSet::plain; }
-template <auto function, class... Arguments>
-void call_avx512(Arguments... arguments) {
-  function(arguments...);
-}
-template <auto function, class... Arguments>
-void call_avx2(Arguments... arguments) {
-  function(arguments...);
-}
-#endif
-
-inline InstructionSet widest_instruction_set() {
-  if (has(InstructionSet::avx512)) return InstructionSet::avx512;
-  return has(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::plain;
 }
 
 // Calls function(arguments...) in its build for `set`, which the processor must have.
@@ -84,6 +69,22 @@ void call_in_registers(InstructionSet set, Arguments... arguments) {
     case InstructionSet::plain:
       return Loop::template run<TwoLanes>(arguments...);
   }
+}
+#else
+inline bool has(InstructionSet set) { return set == InstructionSet::plain; }
+template <auto function, class... Arguments>
+void call(InstructionSet, Arguments... arguments) {
+  function(arguments...);
+}
+template <class Loop, class... Arguments>
+void call_in_registers(InstructionSet, Arguments... arguments) {
+  Loop::template run<TwoLanes>(arguments...);
+}
+#endif
+
+inline InstructionSet widest_instruction_set() {
+  if (has(InstructionSet::avx512)) return InstructionSet::avx512;
+  return has(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::plain;
 }
 
 }  // namespace slosh::sph

@@ -9,25 +9,26 @@
 
 namespace slosh::sph {
 
-template <class Scheme>
+template <class Kernel, class Smoothing, class Formulation>
 struct KernelSumOfCluster {
+  Smoothing smoothing;
+  Formulation formulation;
+
   template <Vector Number>
-  static void run(const Scheme* scheme, const Cluster* cluster, const Source* sources,
+  static void run(const KernelSumOfCluster* terms, const Cluster* cluster, const Source* sources,
                   const Particles* particles, Array<double>* sums) {
-    using Kernel = typename Scheme::Kernel;
     for (std::size_t i = cluster->first; i < cluster->first + cluster->size;
          i += lanes_of<Number>) {
       const std::size_t count = cluster->first + cluster->size - i;
       const Number x = load<Number>(&particles->x[i]), z = load<Number>(&particles->z[i]);
       Number spacing{};
-      if constexpr (Scheme::Smoothing::reads_spacing)
-        spacing = load<Number>(&particles->spacing[i]);
+      if constexpr (Smoothing::reads_spacing) spacing = load<Number>(&particles->spacing[i]);
       Number sum{};
       for (std::size_t k = 0; k < cluster->source_count; ++k) {
         const Source& b = cluster->source(sources, k);
         const Number dx = x - b.x, dz = z - b.z;
-        const auto inverse_h = scheme->smoothing.inverse(spacing, b.spacing);
-        const auto weight = scheme->formulation.volume(b.weight, b.density) * inverse_h * inverse_h;
+        const auto inverse_h = terms->smoothing.inverse(spacing, b.spacing);
+        const auto weight = terms->formulation.volume(b.weight, b.density) * inverse_h * inverse_h;
         sum += weight * Kernel::shape(square_root(dx * dx + dz * dz) * inverse_h);
       }
       store(&(*sums)[i], Kernel::normalisation * sum, count);
@@ -36,12 +37,14 @@ struct KernelSumOfCluster {
 };
 
 // The sources must have the state that the momentum sum reads.
-template <class Scheme>
-void sum_kernel(const Scheme& scheme, const ClusterLists& clusters, const Source* sources,
+template <class Terms>
+void sum_kernel(const Terms& terms, const ClusterLists& clusters, const Source* sources,
                 const Particles& particles, Array<double>& sums, InstructionSet set) {
+  using KernelSum = KernelSumOfCluster<typename Terms::Kernel, typename Terms::Smoothing,
+                                       typename Terms::Formulation>;
+  const KernelSum kernel_sum{terms.smoothing, terms.formulation};
   clusters.for_each([&](const Cluster& cluster) {
-    call_in_registers<KernelSumOfCluster<Scheme>>(set, &scheme, &cluster, sources, &particles,
-                                                  &sums);
+    call_in_registers<KernelSum>(set, &kernel_sum, &cluster, sources, &particles, &sums);
   });
 }
 

@@ -24,46 +24,18 @@
 
 #include "sph/liquid.hpp"
 #include "sph/run_output.hpp"
-#include "sph/setting.hpp"
 
 namespace slosh::sph {
 
-template <class Scheme>
 class EnergyBudget {
  public:
-  explicit EnergyBudget(Liquid<Scheme>& liquid) : ideal_(liquid.scheme()) {
-    ideal_.formulation.viscous_share = 0;
-    if constexpr (Scheme::DensityDiffusion::active) ideal_.density_diffusion.switch_off();
-    liquid.keep_wall_power();
-  }
+  explicit EnergyBudget(Liquid& liquid) { liquid.keep_wall_power(); }
 
-  void add_step(const Liquid<Scheme>& liquid) { wall_work_.add(liquid.wall_power()); }
+  void add_step(const Liquid& liquid) { wall_work_.add(liquid.wall_power()); }
 
   // Appends internal_energy, wall_work, dissipated_energy and energy_residual at the liquid's time.
   // `mechanical` is the kinetic and potential energy [J/m].
-  void record(Liquid<Scheme>& liquid, double mechanical, std::vector<RecordedSeries>& series) {
-    liquid.evaluate(liquid.scheme(), real_rates_);
-    liquid.evaluate(ideal_, ideal_rates_);
-    const PowerAt wall_power = liquid.power_of_walls(real_rates_, liquid.time),
-                  dissipated_power{liquid.time, power_dissipated(liquid)};
-    const double internal = internal_energy(liquid);
-    if (series.empty()) {
-      wall_work_.last = wall_power;
-      dissipated_.last = dissipated_power;
-      start_ = mechanical + internal;
-      for (const char* name :
-           {"internal_energy", "wall_work", "dissipated_energy", "energy_residual"})
-        series.push_back({name, "J/m", {}});
-    }
-    wall_work_.add(wall_power);
-    dissipated_.add(dissipated_power);
-    const double values[]{internal, wall_work_.sum, dissipated_.sum,
-                          mechanical + internal - start_ - wall_work_.sum + dissipated_.sum};
-    for (std::size_t i = 0; i < series.size(); ++i) {
-      series[i].history.time.push_back(liquid.time);
-      series[i].history.value.push_back(values[i]);
-    }
-  }
+  void record(Liquid& liquid, double mechanical, std::vector<RecordedSeries>& series);
 
   template <class Visit>
   void for_each_named_field(const Visit& visit) {
@@ -95,40 +67,9 @@ class EnergyBudget {
     }
   };
 
-  static double internal_energy(const Liquid<Scheme>& liquid) {
-    const Particles& p = liquid.particles;
-    const auto& state = liquid.scheme().state;
-    double sum = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) sum += p.mass[i] * state.energy(p.density[i]);
-    if constexpr (Scheme::Solids::has_density) {
-      const Setting& s = liquid.scheme().setting;
-      const double mass = s.rest_density * s.particle_spacing * s.particle_spacing;
-      for (const double density : liquid.solids().density()) sum += mass * state.energy(density);
-    }
-    return sum;
-  }
+  double power_dissipated(const Liquid& liquid) const;
 
-  // Returns the dissipated power [W/m] from the rates with and without viscosity and diffusion.
-  double power_dissipated(const Liquid<Scheme>& liquid) const {
-    const Particles& p = liquid.particles;
-    const auto tank = liquid.tank_at(liquid.time);
-    const Rates &real = real_rates_, &ideal = ideal_rates_;
-    double sum = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const double rho = p.density[i];
-      const Vector2 wall = tank.wall_velocity(p.x[i], p.z[i]);
-      const double viscous =
-          (p.velocity_x[i] - wall.x) * (real.acceleration_x[i] - ideal.acceleration_x[i]) +
-          (p.velocity_z[i] - wall.z) * (real.acceleration_z[i] - ideal.acceleration_z[i]);
-      const double diffusive = liquid.scheme().state.pressure(rho) / (rho * rho) *
-                               (real.density_rate[i] - ideal.density_rate[i]);
-      sum -= p.mass[i] * (viscous + diffusive);
-    }
-    return sum;
-  }
-
-  Scheme ideal_;  // without viscosity and density diffusion
-  Rates real_rates_, ideal_rates_;
+  Rates real_rates_, ideal_rates_;  // with and without viscosity and density diffusion
   double start_ = 0;
   Integral wall_work_, dissipated_;
 };

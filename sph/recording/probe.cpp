@@ -98,8 +98,7 @@ struct LinearFit {
 
 }  // namespace
 
-template <class Motion>
-Probed probed(const Particles& p, const Probe& probe, const Scene& scene, const Motion& motion,
+Probed probed(const Particles& p, const Probe& probe, const Scene& scene, const TankMotion& motion,
               const std::function<double(double)>& pressure_at) {
   const Vector2 place{probe.x, probe.z};
   const LineOfSight sight = sight_of_instruments(scene);
@@ -117,10 +116,6 @@ Probed probed(const Particles& p, const Probe& probe, const Scene& scene, const 
   return {velocity.at_place(WeightsAbout(scene.particle_spacing).radius()),
           pressure / velocity.weight};
 }
-template Probed probed(const Particles&, const Probe&, const Scene&, const SurgeMotion&,
-                       const std::function<double(double)>&);
-template Probed probed(const Particles&, const Probe&, const Scene&, const TankMotion&,
-                       const std::function<double(double)>&);
 
 void require_in_tank(const Probe& probe, const Scene& scene) {
   if (const auto outline = outline_of(scene); outline && !outline->contains(probe.x, probe.z))

@@ -22,11 +22,10 @@ struct Probed {
   double pressure;   // [Pa]
 };
 
-// `particles` are seen from the tank (seen_from_tank.hpp), `motion` is the tank's, and
+// `particles` are seen from the tank (recorder.hpp), `motion` is the tank's, and
 // `pressure_at` is the equation of state, pressure [Pa] at a density [kg/m3].
-template <class Motion>
 Probed probed(const Particles& particles, const Probe& probe, const Scene& scene,
-              const Motion& motion, const std::function<double(double)>& pressure_at);
+              const TankMotion& motion, const std::function<double(double)>& pressure_at);
 
 // Throws std::invalid_argument for a probe outside the tank.
 void require_in_tank(const Probe& probe, const Scene& scene);

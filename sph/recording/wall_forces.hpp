@@ -6,101 +6,15 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <vector>
 
 #include "sph/liquid.hpp"
-#include "sph/neighbours/pair_sums.hpp"
 
 namespace slosh::sph {
 
 using WallForces = std::array<Vector2, 4>;  // [N/m], along the tank's axes, in the order of Wall
 
-// The bits of Reflection in the order of Wall.
-inline constexpr std::array<int, 4> wall_bits{in_left, in_right, in_bottom, in_roof};
-
-template <class Scheme>
-class WallForcesOf {
- public:
-  // The sources must be those of the momentum sum at the liquid's time
-  // (Liquid::accelerate_for_sample).
-  WallForcesOf(const Liquid<Scheme>& liquid, double gravity)
-      : liquid_(liquid), tank_(liquid.tank_at(liquid.time)), gravity_(gravity) {}
-
-  WallForces all() {
-    for (const int side : {in_none, in_left, in_right})
-      for (const int level : {in_none, in_bottom, in_roof})
-        if (side + level != in_none) add_from_behind(side, level);
-    add_contact<0>();
-    add_contact<1>();
-    add_contact<2>();
-    add_contact<3>();
-    return forces_;
-  }
-
- private:
-  // Adds the forces of the sources behind exactly these walls.
-  void add_from_behind(int side, int level) {
-    push_from_behind(side + level);
-    const bool at_corner = side && level;
-    for (std::size_t wall = 0; wall < forces_.size(); ++wall) {
-      if (wall_bits[wall] == side) add_reaction(wall, 1, at_corner ? 0 : 1);
-      if (wall_bits[wall] == level) add_reaction(wall, at_corner ? 0 : 1, 1);
-    }
-  }
-
-  // Evaluates the pair sum that moves the liquid over the sources behind the walls of these bits.
-  void push_from_behind(int bits) {
-    const Particles& p = liquid_.particles;
-    const NeighbourSources& neighbours = liquid_.neighbours();
-    forget_pushes();
-    neighbours.clusters().for_each([&](const Cluster& cluster) {
-      std::vector<std::uint32_t> behind;
-      for (std::size_t k = 0; k < cluster.source_count; ++k)
-        if (neighbours.walls_before(cluster.sources[k]) == bits)
-          behind.push_back(cluster.sources[k]);
-      if (behind.empty()) return;
-      const std::size_t count = behind.size();
-      behind.resize(count + prefetch_distance, 0);
-      const Cluster part{cluster.first, cluster.size, behind.data(), count};
-      MomentumOfCluster<Scheme>::template run<TwoLanes>(&liquid_.scheme(), &tank_, &part,
-                                                        neighbours.sources(), &p, &pushes_);
-      for (std::size_t i = part.first; i < part.first + part.size; ++i) {
-        const Vector2 push = push_on(p, i, pushes_, tank_, gravity_);
-        pushes_.acceleration_x[i] = push.x;
-        pushes_.acceleration_z[i] = push.z;
-      }
-    });
-  }
-
-  // Adds the force of a wall's repulsive particles, where the scheme has them.
-  template <std::size_t wall>
-  void add_contact() {
-    forget_pushes();
-    liquid_.scheme().wall_contact.template push<wall_bits[wall]>(liquid_.particles, tank_, pushes_);
-    add_reaction(wall, 1, 1);
-  }
-
-  void forget_pushes() {
-    for (auto* field : {&pushes_.acceleration_x, &pushes_.acceleration_z})
-      field->assign(liquid_.particles.size(), 0.0);
-  }
-
-  // Adds the shares of both components of the reaction to the pushes.
-  void add_reaction(std::size_t wall, double share_x, double share_z) {
-    const Particles& p = liquid_.particles;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const Vector2 push = tank_.along_tank(pushes_.acceleration_x[i], pushes_.acceleration_z[i]);
-      forces_[wall].x -= share_x * p.mass[i] * push.x;
-      forces_[wall].z -= share_z * p.mass[i] * push.z;
-    }
-  }
-
-  const Liquid<Scheme>& liquid_;
-  Tank<Scheme> tank_;
-  double gravity_;
-  Rates pushes_;
-  WallForces forces_{};
-};
+// The sources must be those of the momentum sum at the liquid's time
+// (Liquid::accelerate_for_sample).
+WallForces wall_forces(Liquid& liquid, double gravity);
 
 }  // namespace slosh::sph

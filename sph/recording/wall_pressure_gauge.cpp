@@ -41,9 +41,8 @@ double pressure_at_place(const Particles& p, Vector2 place, Vector2 gravity,
 
 }  // namespace
 
-template <class Motion>
 double wall_pressure(const Particles& p, const PressureGauge& gauge, const Scene& scene,
-                     const Motion& motion, const std::function<double(double)>& pressure_at) {
+                     const TankMotion& motion, const std::function<double(double)>& pressure_at) {
   const double dp = scene.particle_spacing;
   const int places = 1 + static_cast<int>(std::ceil(gauge.width / dp - 1e-9));
   const LineOfSight sight = sight_of_instruments(scene);
@@ -57,10 +56,6 @@ double wall_pressure(const Particles& p, const PressureGauge& gauge, const Scene
   }
   return sum / places;
 }
-template double wall_pressure(const Particles&, const PressureGauge&, const Scene&,
-                              const SurgeMotion&, const std::function<double(double)>&);
-template double wall_pressure(const Particles&, const PressureGauge&, const Scene&,
-                              const TankMotion&, const std::function<double(double)>&);
 
 void require_on_outline(const PressureGauge& gauge, const TankOutline& outline) {
   const Vector2 at{gauge.at->x, gauge.at->z};

@@ -16,12 +16,11 @@
 
 namespace slosh::sph {
 
-// Returns the sensor's pressure [Pa]. `particles` are seen from the tank (seen_from_tank.hpp),
+// Returns the sensor's pressure [Pa]. `particles` are seen from the tank (recorder.hpp),
 // `motion` is the tank's (walls/frames.hpp), and `pressure_at` is the equation of state, pressure
 // [Pa] at a density [kg/m3].
-template <class Motion>
 double wall_pressure(const Particles& particles, const PressureGauge& gauge, const Scene& scene,
-                     const Motion& motion, const std::function<double(double)>& pressure_at);
+                     const TankMotion& motion, const std::function<double(double)>& pressure_at);
 
 // Throws std::invalid_argument where the sensor is not wholly on its wall.
 void require_on_wall(const PressureGauge& gauge, const Scene& scene);

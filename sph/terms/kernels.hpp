@@ -178,6 +178,16 @@ struct KaiserBessel {
   }();
 };
 
+// A kernel outside the sums, where no code is compiled for each.
+struct KernelFunction {
+  double normalisation;
+  double (*shape)(double q);
+};
+template <class Kernel>
+constexpr KernelFunction function_of() {
+  return {Kernel::normalisation, &Kernel::template shape<double>};
+}
+
 // Both return a function of a pair at this distance, squared [m2]; `inverse_h` is 1/h [1/m].
 template <class Kernel, class Number, class Length>
 Number shape_of_pair(Number distance2, Length inverse_h) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <variant>
 
 #include "sph/setting.hpp"
 #include "sph/terms/gap_layers.hpp"
@@ -63,5 +64,7 @@ struct AdaptiveStep {
                      0.25 * std::sqrt(h / largest_acceleration)});
   }
 };
+
+using TimeStep = std::variant<FixedStep, AdaptiveStep>;
 
 }  // namespace slosh::sph

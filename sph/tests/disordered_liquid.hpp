@@ -2,7 +2,6 @@
 #pragma once
 
 #include <random>
-#include <type_traits>
 
 #include "sph/neighbours/particles.hpp"
 #include "sph/tests/surging_scene.hpp"
@@ -22,17 +21,17 @@ inline constexpr TankWalls moving_tank{.left = 0.137,
 
 // Returns the walls as the tank of a scheme's frame.
 template <class Frame>
-typename Frame::Tank tank_of(const TankWalls& walls) {
-  if constexpr (std::is_same_v<typename Frame::Tank, RollingTank>)
-    return {.tank_length = walls.length(),
-            .roof = walls.roof,
-            .axis_x = 0,
-            .axis_z = 0,
-            .displacement = walls.left,
-            .velocity = walls.velocity,
-            .cosine = 1,
-            .sine = 0,
-            .rate = 0};
+Tank tank_of(const TankWalls& walls) {
+  if constexpr (Frame::walls_roll)
+    return RollingTank{.tank_length = walls.length(),
+                       .roof = walls.roof,
+                       .axis_x = 0,
+                       .axis_z = 0,
+                       .displacement = walls.left,
+                       .velocity = walls.velocity,
+                       .cosine = 1,
+                       .sine = 0,
+                       .rate = 0};
   else
     return walls;
 }

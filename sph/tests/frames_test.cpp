@@ -29,13 +29,12 @@ TEST(TankFrame, PullsAFreeParticleAsItsFallLooksFromTheTank) {
   const Scene scene = surging_and_rolling_scene(0.02, 1);
   for (const double t : {0.1, 0.37, 0.9}) {
     const Vector2 start{0.7, 0.1}, velocity{0.6, -0.4};
-    const RollingTank tank = RollingEarthFrame::tank(scene, t);
+    const Tank tank = RollingEarthFrame::tank(scene, t);
     const Vector2 wall = tank.wall_velocity(start.x, start.z),
                   place = tank.in_tank(start.x, start.z),
                   relative = tank.along_tank(velocity.x - wall.x, velocity.z - wall.z);
-    Vector2 pulled{0, 0};
-    TankFrame::tank(scene, t).pull(scene.gravity, place.x, place.z, relative.x, relative.z,
-                                   pulled.x, pulled.z);
+    const Vector2 pulled =
+        TankFrame::tank(scene, t).pull(scene.gravity, place.x, place.z, relative.x, relative.z);
     const Vector2 expected = acceleration_in_tank(scene, t, start, velocity);
     EXPECT_NEAR(pulled.x, expected.x, 1e-5) << t;
     EXPECT_NEAR(pulled.z, expected.z, 1e-5) << t;
@@ -56,11 +55,11 @@ TEST(RollingEarthFrame, CarriesAPlaceInTheTankByItsWallVelocity) {
 
 TEST(RollingEarthFrame, FindsAPlaceAgainAndTurnsCounterClockwise) {
   const Scene scene = surging_and_rolling_scene(0.02, 1);
-  const RollingTank tank = RollingEarthFrame::tank(scene, 0.4);
+  const Tank tank = RollingEarthFrame::tank(scene, 0.4);
   const Vector2 there = tank.in_frame(0.8, 0.05), back = tank.in_tank(there.x, there.z);
   EXPECT_NEAR(back.x, 0.8, 1e-14);
   EXPECT_NEAR(back.z, 0.05, 1e-14);
-  ASSERT_GT(tank.sine, 0);
+  ASSERT_GT(tank.rolling->sine, 0);
   EXPECT_GT(tank.along_frame(1, 0).z, 0);  // x turns towards z
 }
 
@@ -72,8 +71,8 @@ TEST(Enter, GivesBothFramesTheSameLiquidOfEitherStart) {
     const TankMotion motion(scene, 0);
     const Particles lattice = initial_lattice(scene, [](double) { return 1000.0; });
     Particles in_earth = lattice, in_tank = lattice;
-    enter<RollingEarthFrame>(scene, in_earth);
-    enter<TankFrame>(scene, in_tank);
+    enter(frame_of<RollingEarthFrame>(), scene, in_earth);
+    enter(frame_of<TankFrame>(), scene, in_tank);
     for (std::size_t i = 0; i < lattice.size(); ++i) {
       const Vector2 wall = motion.velocity(lattice.x[i], lattice.z[i]);
       const bool moves = start == Start::tank;
@@ -103,7 +102,7 @@ double largest_stray_from_a_line(double dt) {
   one.density = {scene.rest_density};
   one.mass = {scene.rest_density * 4e-4};
   one.spacing = {scene.particle_spacing};
-  Liquid<Scheme<Choice>> liquid(scene, scheme, one);
+  Liquid liquid(scene, method_of(scheme), one);
   typename Choice::Integrator integrator;
   const Vector2 start = RollingEarthFrame::tank(scene, 0).in_frame(place.x, place.z);
   double stray = 0;
@@ -206,8 +205,7 @@ double viscous_acceleration_of_shear(double speed, double rate) {
   Scene scene = carried_scene(0.025, 1, speed);
   scene.kinematic_viscosity = 0.1;
   const Scheme<Choice> scheme(scene);
-  Liquid<Scheme<Choice>> liquid(scene, scheme,
-                                initial_lattice(scene, [](double) { return 1000.0; }));
+  Liquid liquid(scene, method_of(scheme), initial_lattice(scene, [](double) { return 1000.0; }));
   Particles& p = liquid.particles;
   const auto accelerate = [&](double shear) {
     for (std::size_t i = 0; i < p.size(); ++i) {

@@ -65,7 +65,7 @@ TYPED_TEST(FreeDrop, ChangesItsMomentumAndItsAngularMomentumByGravityAlone) {
   constexpr bool staggered = std::is_same_v<Integrator, StaggeredLeapfrog>;
   const Scene scene = still_scene(0.02, 1);
   const Scheme<TypeParam> scheme(scene);
-  Liquid<Scheme<TypeParam>> liquid(scene, scheme, drop(scene));
+  Liquid liquid(scene, method_of(scheme), drop(scene));
   Integrator integrator;
   const double dt = 5e-4;
   const Impulse start = impulse_of(liquid.particles);

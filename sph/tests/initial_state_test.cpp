@@ -9,7 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "sph/liquid.hpp"
 #include "sph/schemes.hpp"
+#include "sph/start/projection.hpp"
+#include "sph/start/settled.hpp"
 #include "sph/tests/surging_scene.hpp"
 
 namespace slosh::sph::initial_state_test {
@@ -68,9 +71,8 @@ TEST(Projected, HasTheForceOfTheMomentAfterADamIsLetGo) {
 TEST(Projected, LeavesStillWaterAsItIs) {
   const Scene scene = still_scene(0.025, 1);
   const Scheme<Recommended> scheme(scene);
-  const auto density_at = [&](double pressure) { return scheme.state.density(pressure); };
-  const Particles lattice = initial_lattice(scene, density_at);
-  const Particles state = Projection<Recommended>(scene, lattice).state(0, 0, density_at);
+  const Method method = method_of(scheme);
+  const Particles state = projected(scene, method, start_lattice(scene, method));
   for (std::size_t i = 0; i < state.size(); ++i) {
     EXPECT_NEAR(std::hypot(state.velocity_x[i], state.velocity_z[i]), 0, 1e-12);
     const double hydrostatic = 1000 * 9.81 * (0.35 - state.z[i]);
@@ -82,21 +84,20 @@ TEST(Projected, LeavesStillWaterAsItIs) {
 TEST(Projected, KeepsTheParticlesVolumesAndItsVelocityHasNoDivergence) {
   const Scene scene = surging_scene(0.025, 1);
   const Scheme<Recommended> scheme(scene);
-  const auto density_at = [&](double pressure) { return scheme.state.density(pressure); };
-  const Particles lattice = initial_lattice(scene, density_at);
-  Liquid<Scheme<Recommended>> from_rest(scene, scheme, lattice);
-  const Particles state =
-      Projection<Recommended>(scene, lattice).state(scene.velocity(0), 0, density_at);
+  const Method method = method_of(scheme);
+  const Particles lattice = start_lattice(scene, method);
+  Liquid from_rest(scene, method, lattice);
+  const Particles state = projected(scene, method, lattice);
   for (std::size_t i = 0; i < state.size(); ++i)
     EXPECT_NEAR(state.mass[i] / state.density[i], 0.025 * 0.025, 1e-12);
-  Liquid<Scheme<Recommended>> projected(scene, scheme, state);
-  const auto compression = [](Liquid<Scheme<Recommended>>& liquid) {
+  Liquid from_projected(scene, method, state);
+  const auto compression = [](Liquid& liquid) {
     liquid.compress(0);
     double sum2 = 0;
     for (const double rate : liquid.rates.density_rate) sum2 += rate * rate;
     return std::sqrt(sum2);
   };
-  EXPECT_LE(compression(projected), 0.02 * compression(from_rest));
+  EXPECT_LE(compression(from_projected), 0.02 * compression(from_rest));
 }
 
 TEST(Projected, IsRefusedForWallsWithADensityOfTheirOwn) {
@@ -157,8 +158,8 @@ TEST(Settled, KeepsTheMassOfDisorderedParticles) {
   Scene scene = still_scene(0.05, 0.1);
   scene.start_disorder = 0.2;
   const Scheme<Recommended> scheme(scene);
-  const Particles start = start_lattice<Recommended>(scene, scheme);
-  const Particles rest = settled<Recommended>(scene, scheme, start);
+  const Method method = method_of(scheme);
+  const Particles start = start_lattice(scene, method), rest = settled(scene, method, start);
   const auto mass = [](const Particles& p) {
     return std::accumulate(p.mass.begin(), p.mass.end(), 0.0);
   };

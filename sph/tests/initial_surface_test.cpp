@@ -12,6 +12,7 @@
 #include "sph/schemes.hpp"
 #include "sph/start/initial_lattice.hpp"
 #include "sph/start/initial_state.hpp"
+#include "sph/start/projection.hpp"
 #include "sph/tests/surging_scene.hpp"
 
 namespace slosh::sph::initial_surface_test {
@@ -84,9 +85,8 @@ TEST(InitialLattice, CarriesTheHydrostaticPressureUnderTheWave) {
 TEST(Projected, FindsTheDepthProfileOfAWavesPressure) {
   const Scene scene = waved_scene(2, 0.02, 0.0125, 1);
   const Scheme<Recommended> own(scene);
-  const auto density = [&](double pressure) { return own.state.density(pressure); };
-  const Particles lattice = initial_lattice(scene, density);
-  const Particles state = Projection<Recommended>(scene, lattice).state(0, 0, density);
+  const Method method = method_of(own);
+  const Particles state = projected(scene, method, start_lattice(scene, method));
   const double k = 2 * pi, weight = 1000 * 9.81;
   // The still liquid grows heavier with the depth.
   const auto still_pressure = [&, &numbers = own.setting](double depth) {

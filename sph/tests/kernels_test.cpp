@@ -67,11 +67,11 @@ TYPED_TEST(Kernels, HaveTheShareOfTheirIntegralThatLiesBelowASurface) {
     for (double z = -kernel_support + 0.5 * dq; z < depth; z += dq)
       for (double x = 0.5 * dq; x < kernel_support; x += dq)
         below += 2 * TypeParam::normalisation * TypeParam::shape(std::hypot(x, z)) * dq * dq;
-    EXPECT_NEAR(kernel_share_below<TypeParam>(depth), below, 1e-4) << depth;
+    EXPECT_NEAR(kernel_share_below(function_of<TypeParam>(), depth), below, 1e-4) << depth;
   }
-  EXPECT_NEAR(kernel_share_below<TypeParam>(0), 0.5, 1e-5);
-  EXPECT_EQ(kernel_share_below<TypeParam>(2.5), 1);
-  EXPECT_EQ(kernel_share_below<TypeParam>(-2.5), 0);
+  EXPECT_NEAR(kernel_share_below(function_of<TypeParam>(), 0), 0.5, 1e-5);
+  EXPECT_EQ(kernel_share_below(function_of<TypeParam>(), 2.5), 1);
+  EXPECT_EQ(kernel_share_below(function_of<TypeParam>(), -2.5), 0);
 }
 
 TEST(CubicSpline, IsTheOneThatLiPrints) {

@@ -23,7 +23,7 @@ class NodeSums : public testing::Test {
   Nodes sums(Particles particles, std::vector<SolidPlace> places) {
     NeighbourSources neighbours(tank_at_rest, small_spacing, support);
     neighbours.add_solids(places, {});
-    EXPECT_TRUE(neighbours.rebuild<NoMirror>(particles, tank_at_rest, 0));
+    EXPECT_TRUE(neighbours.rebuild(particles, tank_at_rest, 0, false));
     neighbours.refresh_for_momentum(scheme_, particles, tank_at_rest);
     // The evaluated field does not enter the weights.
     Nodes found;
@@ -31,7 +31,8 @@ class NodeSums : public testing::Test {
          {InstructionSet::plain, InstructionSet::avx2, InstructionSet::avx512}) {
       if (!has(set)) continue;
       found.place(places);
-      sum_at_nodes<&Source::density>(scheme_, neighbours, tank_at_rest, found, set);
+      sum_at_nodes<WithGhostWalls::Kernel>(NodeValue::density, scheme_.setting.smoothing_length(),
+                                           neighbours, tank_at_rest, found, set);
       for (std::size_t i = 0; i < places.size(); ++i) check(found, i);
     }
     return found;

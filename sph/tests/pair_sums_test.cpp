@@ -43,12 +43,12 @@ struct Neighbourhood {
   }
 
   bool rebuild(Particles& particles, const TankWalls& walls, double dt) {
-    return sources.template rebuild<typename Choice::Mirror>(particles, walls, dt);
+    return sources.rebuild(particles, walls, dt, Choice::Mirror::exists);
   }
 
   Rates rates(const Particles& particles, const TankWalls& walls,
               InstructionSet set = widest_instruction_set()) {
-    const auto tank = tank_of<typename Choice::Frame>(walls);
+    const Tank tank = tank_of<typename Choice::Frame>(walls);
     Rates rates;
     rates.resize(particles.size());
     sources.refresh_for_momentum(scheme, particles, tank);
@@ -317,14 +317,13 @@ TEST(PairSumsOfTwoSpacings, AreThoseOverAllPairs) {
 
 // Where columns are narrower than the particle spacing the kernel's support is still the spacing's.
 TEST(PairSumsOfANarrowedLattice, HoldUntilAParticleHasMovedByTheSlack) {
-  using Scheme = slosh::sph::Scheme<Recommended>;
   Scene scene = small_scene();
   scene.tank_length = 0.15;
   scene.particle_spacing = scene.surface_particle_spacing = 0.0103;
-  const Scheme scheme(scene);
-  Liquid<Scheme> liquid(scene, scheme, initial_lattice(scene, [&](double pressure) {
-                          return scheme.state.density(pressure);
-                        }));
+  const Scheme<Recommended> scheme(scene);
+  Liquid liquid(scene, method_of(scheme), initial_lattice(scene, [&](double pressure) {
+                  return scheme.state.density(pressure);
+                }));
   ASSERT_NEAR(liquid.particles.spacing_of(0), 0.01, 1e-14);
   const double distance = 0.99 * liquid.neighbours().slack();
   Particles& p = liquid.particles;
@@ -339,7 +338,7 @@ TEST(PairSumsOfANarrowedLattice, HoldUntilAParticleHasMovedByTheSlack) {
   liquid.compress(0);
   Particles nominal = p;
   nominal.lattice_spacing = 0.0103;
-  AllPairs oracle(scheme.setting, formulas_of<Recommended>(), nominal, liquid.tank_at(0));
+  AllPairs oracle(scheme.setting, formulas_of<Recommended>(), nominal, liquid.tank_at(0).walls);
   EXPECT_LE(disagreement(liquid.rates, oracle.rates()), round_off);
 }
 
@@ -348,7 +347,7 @@ TEST(NeighbourSources, NameTheParticleThatIsNotInTheTank) {
     Particles particles = full_tank(moving_tank);
     particles.x[42] = x;
     NeighbourSources neighbours(moving_tank, spacing, 0.03);
-    EXPECT_FALSE(neighbours.rebuild(particles, moving_tank, 0)) << x;
+    EXPECT_FALSE(neighbours.rebuild(particles, moving_tank, 0, true)) << x;
     EXPECT_EQ(neighbours.stray(), 42);
   }
 }

@@ -20,8 +20,8 @@ class Steps {
   explicit Steps(const Scene& scene)
       : scene_(scene),
         scheme_(scene),
-        sampled_(scene_, scheme_, start()),
-        other_(scene_, scheme_, start()) {}
+        sampled_(scene_, method_of(scheme_), start()),
+        other_(scene_, method_of(scheme_), start()) {}
 
   // Before each step `disturb` may change the particles.
   template <class Disturb>
@@ -44,17 +44,17 @@ class Steps {
   Particles start() const {
     Particles p = initial_lattice(
         scene_, [this](double pressure) { return scheme_.state.density(pressure); });
-    enter<typename Choice::Frame>(scene_, p);
+    enter(frame_of<typename Choice::Frame>(), scene_, p);
     return p;
   }
-  static void advance(Liquid<Scheme<Choice>>& liquid, Integrator& integrator) {
+  static void advance(Liquid& liquid, Integrator& integrator) {
     integrator.advance(liquid, dt);
     liquid.time += dt;
   }
 
   Scene scene_;
   Scheme<Choice> scheme_;
-  Liquid<Scheme<Choice>> sampled_, other_;
+  Liquid sampled_, other_;
   Integrator of_sampled_, of_other_;
 };
 

@@ -132,11 +132,11 @@ TEST(Scheme, ListsTheTermsThatItComputesAndNoOthers) {
   };
   // Kernel, smoothing, formulation, viscosity, diffusion, state, mirror, solids, contact,
   // integrator.
-  EXPECT_EQ(count(Scheme<Recommended>::active_terms()), 11);
-  EXPECT_EQ(count(Scheme<WithoutViscosity>::active_terms()), 10);
-  EXPECT_EQ(count(Scheme<WithoutDiffusion>::active_terms()), 10);
-  EXPECT_EQ(count(Scheme<WithGhostWalls>::active_terms()), 10);
-  EXPECT_EQ(count(Scheme<Li2010>::active_terms()), 9);
+  EXPECT_EQ(count(active_terms<Recommended>()), 11);
+  EXPECT_EQ(count(active_terms<WithoutViscosity>()), 10);
+  EXPECT_EQ(count(active_terms<WithoutDiffusion>()), 10);
+  EXPECT_EQ(count(active_terms<WithGhostWalls>()), 10);
+  EXPECT_EQ(count(active_terms<Li2010>()), 9);
 }
 
 std::string refusal(const std::string& scheme, const std::string& variant) {

@@ -233,7 +233,7 @@ TEST(NeighbourSources, LeaveOutImagesInsideObstacles) {
     Particles particles = particle_at(0.55, 0.02);
     particles.for_each_field([](auto& field) { field.push_back(field[0]); });
     particles.x[1] = 0.35;
-    EXPECT_TRUE(sources.rebuild(particles, walls, 0));
+    EXPECT_TRUE(sources.rebuild(particles, walls, 0, true));
     return sources.source_count();
   };
   EXPECT_EQ(sources_beside({}), 4);

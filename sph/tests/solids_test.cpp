@@ -23,12 +23,12 @@ template <class Choice>
 struct Still {
   Scene scene;
   Scheme<Choice> scheme;
-  Liquid<Scheme<Choice>> liquid;
+  Liquid liquid;
 
   explicit Still(const Scene& in)
       : scene(in),
         scheme(scene),
-        liquid(scene, scheme, initial_lattice(scene, [&](double pressure) {
+        liquid(scene, method_of(scheme), initial_lattice(scene, [&](double pressure) {
                  return scheme.state.density(pressure);
                })) {}
 };
@@ -39,7 +39,7 @@ struct Beside {
   Scene scene;
   Scheme<Choice> scheme;
   double support = kernel_support * scheme.setting.smoothing_length();
-  typename Choice::Frame::Tank walls;
+  Tank walls;
   NeighbourSources sources;
   typename Choice::Solids solids;
   Particles particles;
@@ -53,7 +53,7 @@ struct Beside {
         particles(std::move(liquid)) {
     sources.add_solids(solids.places(), obstacles_on_lattice(scene, support));
     solids.initialise(scheme);
-    EXPECT_TRUE(sources.rebuild<typename Choice::Mirror>(particles, walls, 0));
+    EXPECT_TRUE(sources.rebuild(particles, walls, 0, Choice::Mirror::exists));
   }
   void refresh_for_momentum() {
     sources.refresh_for_momentum(scheme, particles, walls);

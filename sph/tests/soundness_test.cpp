@@ -49,7 +49,7 @@ class SoundnessSeries : public testing::Test {
  protected:
   const Scene scene = full_tank(narrow);
   const Scheme<Choice> scheme{scene};
-  Liquid<Scheme<Choice>> liquid{scene, scheme, lattice(narrow, scheme.setting.rest_density)};
+  Liquid liquid{scene, method_of(scheme), lattice(narrow, scheme.setting.rest_density)};
 
   // The value at the start of a run that starts from the liquid's present state.
   double value(const std::string& name) {
@@ -96,7 +96,7 @@ TYPED_TEST(SoundnessSeries, StandOnAKernelSumOfOne) {
 TYPED_TEST(SoundnessSeries, SeeParticlesThatComeCloserThanTheirVolumesAllow) {
   const Scene scene = full_tank(wide);
   const Scheme<TypeParam> scheme(scene);
-  Liquid<Scheme<TypeParam>> liquid(scene, scheme, lattice(wide, scheme.setting.rest_density));
+  Liquid liquid(scene, method_of(scheme), lattice(wide, scheme.setting.rest_density));
   Soundness soundness;
   RunOutput output;
   for (int sample = 0; sample < 10; ++sample) soundness.record(liquid, false, output);
@@ -112,8 +112,8 @@ TYPED_TEST(SoundnessSeries, SeeParticlesThatComeCloserThanTheirVolumesAllow) {
 }
 
 TYPED_TEST(SoundnessSeries, LeaveTheNextStepAsItIs) {
-  Liquid<Scheme<TypeParam>> other(this->scene, this->scheme,
-                                  lattice(narrow, this->scheme.setting.rest_density));
+  Liquid other(this->scene, method_of(this->scheme),
+               lattice(narrow, this->scheme.setting.rest_density));
   this->value("mach_number");
   for (auto* liquid : {&this->liquid, &other})
     typename TypeParam::Integrator().advance(*liquid, 1e-4);

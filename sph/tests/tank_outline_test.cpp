@@ -8,7 +8,7 @@
 
 #include "sph/neighbours/particles.hpp"
 #include "sph/tests/outlined_tanks.hpp"
-#include "sph/walls/outline_contact.hpp"
+#include "sph/walls/wall_contact.hpp"
 
 namespace slosh::sph::tank_outline_test {
 namespace {

@@ -66,8 +66,8 @@ struct NoMirror {
   using InContinuity = NoMirror;
 };
 
-template <class Mirror>
-std::array<MirrorMap, reflection_count> mirror_maps(const TankWalls& walls) {
+// Returns the maps by the bits of the walls; `no_slip` turns both components of the velocity.
+inline std::array<MirrorMap, reflection_count> mirror_maps(const TankWalls& walls, bool no_slip) {
   std::array<MirrorMap, reflection_count> maps;
   for (int bits = 1; bits < reflection_count; ++bits) {
     MirrorMap& map = maps[bits];
@@ -80,8 +80,8 @@ std::array<MirrorMap, reflection_count> mirror_maps(const TankWalls& walls) {
       map.offset_z = 2 * ((bits & in_bottom) ? walls.bottom : walls.roof);
     }
     // A double reflection in a no-slip corner reverses the velocity twice.
-    const bool turns_x = Mirror::no_slip ? map.scale_x * map.scale_z < 0 : map.scale_x < 0;
-    const bool turns_z = Mirror::no_slip ? map.scale_x * map.scale_z < 0 : map.scale_z < 0;
+    const bool turns_x = no_slip ? map.scale_x * map.scale_z < 0 : map.scale_x < 0;
+    const bool turns_z = no_slip ? map.scale_x * map.scale_z < 0 : map.scale_z < 0;
     map.velocity_scale_x = turns_x ? -1 : 1;
     map.velocity_offset_x = turns_x ? 2 * walls.velocity : 0;
     map.velocity_scale_z = turns_z ? -1 : 1;

@@ -22,36 +22,12 @@ SolidPlace behind_nearest_face(double x, double z, const Rectangle& r, double ta
 
 // Moves a particle to a place in the tank [m] and reverses its velocity relative to the tank along
 // x or z.
-template <class Tank>
 void move_with_tank(Particles& p, std::size_t i, const Tank& tank, Vector2 place, bool turns_x,
-                    bool turns_z) {
-  const Vector2 wall = tank.wall_velocity(p.x[i], p.z[i]);
-  const auto turn = [&](Vector2 normal) {
-    p.turn_velocity(i, normal.x, normal.z, wall.x * normal.x + wall.z * normal.z);
-  };
-  if (turns_x) turn(tank.along_frame(1, 0));
-  if (turns_z) turn(tank.along_frame(0, 1));
-  const Vector2 to = tank.in_frame(place.x, place.z);
-  p.x[i] = to.x;
-  p.z[i] = to.z;
-}
+                    bool turns_z);
 
 // Moves particles that have entered the obstacle back out through its nearest face and reverses
 // their normal velocity in the tank's frame, as ReflectingWall does at the tank's walls. Returns
 // how many it has moved.
-template <class Tank>
-std::size_t expel(Particles& p, const Tank& tank, const Rectangle& obstacle) {
-  std::size_t expelled = 0;
-#pragma omp parallel for schedule(static) reduction(+ : expelled)
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vector2 at = tank.in_tank(p.x[i], p.z[i]);
-    if (!holds(obstacle, at.x, at.z)) continue;
-    ++expelled;
-    const SolidPlace out =
-        behind_nearest_face(at.x, at.z, obstacle, tank.length(), tank.tank_height());
-    move_with_tank(p, i, tank, {out.node_x, out.node_z}, out.turn.xx < 0, out.turn.zz < 0);
-  }
-  return expelled;
-}
+std::size_t expel(Particles& p, const Tank& tank, const Rectangle& obstacle);
 
 }  // namespace slosh::sph

@@ -20,11 +20,11 @@
 namespace slosh::sph {
 
 // Gives a solid's source its position on the wall, the wall's velocity and its share of a cell.
-template <class Scheme, class Tank>
-void place(const Scheme& scheme, const SolidPlace& at, const Tank& tank, Source& source) {
+template <class Scheme, class Axes>
+void place(const Scheme& scheme, const SolidPlace& at, const Axes& axes, Source& source) {
   const double rho = scheme.setting.rest_density, dp = scheme.setting.particle_spacing;
-  const Vector2 place = tank.in_frame(at.x, at.z);
-  const Vector2 velocity = tank.wall_velocity(place.x, place.z);
+  const Vector2 place = axes.in_frame(at.x, at.z);
+  const Vector2 velocity = axes.wall_velocity(place.x, place.z);
   source.x = place.x;
   source.z = place.z;
   source.velocity_x = velocity.x;
@@ -93,78 +93,82 @@ class GhostSolids {
   template <class Scheme>
   void initialise(const Scheme& scheme) {
     nodes_.place(places_);
-    fill_.initialise(typename Scheme::Kernel{}, places_, scheme.setting.smoothing_length(),
-                     scheme.setting.particle_spacing, sight_);
+    fill_.initialise(function_of<typename Scheme::Kernel>(), places_,
+                     scheme.setting.smoothing_length(), scheme.setting.particle_spacing, sight_);
   }
 
-  template <class Scheme, class Tank>
-  void refresh_for_momentum(const Scheme& scheme, NeighbourSources& neighbours, const Tank& walls,
+  template <class Scheme>
+  void refresh_for_momentum(const Scheme& scheme, NeighbourSources& neighbours, const Tank& at,
                             InstructionSet set) {
-    look_up<&Source::strength>(scheme, neighbours, walls, set);
+    look_up(NodeValue::strength, scheme, neighbours, at, set);
+    const Tank tank = at;  // a copy, which the loop cannot change
     const double rho = scheme.setting.rest_density;
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
-      place_with_share(scheme, i, walls, source);
-      if (nodes_.found(i)) reflect(i, slip, walls, source);
-      const double rise = pressure_rise(scheme, i, walls);
+      place_with_share(scheme, i, tank, source);
+      if (nodes_.found(i)) reflect(i, slip, tank, source);
+      const double rise = pressure_rise(scheme, i, tank);
       source.strength =
           nodes_.found(i) ? nodes_.value[i] + scheme.formulation.strength(rise, rho) : 0.0;
       source.density = rho;
     });
   }
 
-  template <class Scheme, class Tank>
-  void refresh_for_continuity(const Scheme& scheme, NeighbourSources& neighbours, const Tank& walls,
+  template <class Scheme>
+  void refresh_for_continuity(const Scheme& scheme, NeighbourSources& neighbours, const Tank& at,
                               InstructionSet set) {
-    look_up<&Source::density>(scheme, neighbours, walls, set);
+    look_up(NodeValue::density, scheme, neighbours, at, set);
+    const Tank tank = at;
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
-      place_with_share(scheme, i, walls, source);
-      if (nodes_.found(i) && !places_[i].in_obstacle) reflect(i, Slip::free, walls, source);
+      place_with_share(scheme, i, tank, source);
+      if (nodes_.found(i) && !places_[i].in_obstacle) reflect(i, Slip::free, tank, source);
       if constexpr (Scheme::DensityDiffusion::active)
         if (!nodes_.found(i)) {
           // The particle has the density of a liquid without pressure.
           const double rho = scheme.setting.rest_density;
           source.density =
-              scheme.density_diffusion.diffused(0.0, rho, walls.height(source.x, source.z));
+              scheme.density_diffusion.diffused(0.0, rho, tank.height(source.x, source.z));
           return;
         }
       source.density = nodes_.value[i];
       if constexpr (Scheme::DensityDiffusion::of_whole_density) {
         const double sound = scheme.state.speed_of_sound;
-        source.density += pressure_rise(scheme, i, walls) / (sound * sound);
+        source.density += pressure_rise(scheme, i, tank) / (sound * sound);
       }
     });
   }
 
  private:
   template <class Scheme>
-  void place_with_share(const Scheme& scheme, std::size_t i, const TankWalls& walls,
+  void place_with_share(const Scheme& scheme, std::size_t i, const Tank& tank,
                         Source& source) const {
-    place(scheme, places_[i], walls, source);
+    place(scheme, places_[i], tank.walls, source);
     if (!places_[i].in_obstacle)
       source.weight *= fill_.share(i, scheme.formulation.volume_of_weight * nodes_.liquid[i]);
   }
 
-  void reflect(std::size_t i, Slip at_wall, const TankWalls& walls, Source& source) const {
+  void reflect(std::size_t i, Slip at_wall, const Tank& tank, Source& source) const {
     const Turn turn = at_wall == Slip::none ? Turn::both() : places_[i].turn;
-    const Vector2 image = turn.of({nodes_.velocity_x[i], nodes_.velocity_z[i]}, walls.velocity);
+    const Vector2 image =
+        turn.of({nodes_.velocity_x[i], nodes_.velocity_z[i]}, tank.walls.velocity);
     source.velocity_x = image.x;
     source.velocity_z = image.z;
   }
 
   // Returns the pressure's rise from the node to the particle [Pa].
-  template <class Scheme, class Tank>
-  double pressure_rise(const Scheme& scheme, std::size_t i, const Tank& walls) const {
+  template <class Scheme>
+  double pressure_rise(const Scheme& scheme, std::size_t i, const Tank& tank) const {
     const SolidPlace& at = places_[i];
-    const Vector2 gravity = walls.apparent_gravity(scheme.setting.gravity, at.x, at.z, 0, 0);
+    const Vector2 gravity = tank.apparent_gravity(scheme.setting.gravity, at.x, at.z, 0, 0);
     return scheme.setting.rest_density *
            (gravity.x * (at.x - at.node_x) + gravity.z * (at.z - at.node_z));
   }
 
-  template <double Source::*value, class Scheme>
-  void look_up(const Scheme& scheme, NeighbourSources& neighbours, const TankWalls& walls,
-               InstructionSet set) {
+  template <class Scheme>
+  void look_up(NodeValue value, const Scheme& scheme, NeighbourSources& neighbours,
+               const Tank& tank, InstructionSet set) {
     if (places_.empty()) return;
-    sum_at_nodes<value>(scheme, neighbours, walls, nodes_, set);
+    sum_at_nodes<typename Scheme::Kernel>(value, scheme.setting.smoothing_length(), neighbours,
+                                          tank.walls, nodes_, set);
   }
 
   std::vector<SolidPlace> places_;
@@ -215,38 +219,36 @@ class DynamicSolids {
     }
   }
 
-  template <class Scheme, class Tank>
-  void refresh_for_momentum(const Scheme& scheme, NeighbourSources& neighbours, const Tank& walls,
+  template <class Scheme>
+  void refresh_for_momentum(const Scheme& scheme, NeighbourSources& neighbours, const Tank& tank,
                             InstructionSet) {
-    neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
-      place(scheme, places_[i], walls, source);
-      const double rho = particles_.density[i];
-      source.strength = scheme.formulation.strength(scheme.state.pressure(rho), rho);
-      source.density = rho;
+    tank.with_axes([&](const auto& axes) {
+      neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
+        place(scheme, places_[i], axes, source);
+        const double rho = particles_.density[i];
+        source.strength = scheme.formulation.strength(scheme.state.pressure(rho), rho);
+        source.density = rho;
+      });
     });
   }
 
   // Also evaluates the solids' own density rate.
-  template <class Scheme, class Tank>
-  void refresh_for_continuity(const Scheme& scheme, NeighbourSources& neighbours, const Tank& walls,
+  template <class Scheme>
+  void refresh_for_continuity(const Scheme& scheme, NeighbourSources& neighbours, const Tank& tank,
                               InstructionSet set) {
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const Vector2 place = walls.in_frame(places_[i].x, places_[i].z);
-      const Vector2 velocity = walls.wall_velocity(place.x, place.z);
-      particles_.x[i] = place.x;
-      particles_.z[i] = place.z;
-      particles_.velocity_x[i] = velocity.x;
-      particles_.velocity_z[i] = velocity.z;
-    }
     neighbours.for_each_solid_source([&](Source& source, std::size_t i) {
-      place(scheme, places_[i], walls, source);
+      tank.with_axes([&](const auto& axes) { place(scheme, places_[i], axes, source); });
+      particles_.x[i] = source.x;
+      particles_.z[i] = source.z;
+      particles_.velocity_x[i] = source.velocity_x;
+      particles_.velocity_z[i] = source.velocity_z;
       if constexpr (Scheme::DensityDiffusion::active) {
         const double rho = particles_.density[i];
         source.density = scheme.density_diffusion.diffused(
-            scheme.state.pressure(rho), rho, walls.height(particles_.x[i], particles_.z[i]));
+            scheme.state.pressure(rho), rho, tank.height(particles_.x[i], particles_.z[i]));
       }
     });
-    sum_continuity(scheme, walls, neighbours.solid_clusters(), neighbours.sources(), {}, particles_,
+    sum_continuity(scheme, tank, neighbours.solid_clusters(), neighbours.sources(), {}, particles_,
                    rates_, set);
   }
 

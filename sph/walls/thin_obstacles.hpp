@@ -26,7 +26,7 @@ int face_run_into(const LineOfSight& sight, const Vector2* before, Vector2 now, 
 // Brings particles that have run into an obstacle back to the side they came from, with their
 // normal velocity in the tank's frame turned, as expel() does. before(i) returns the place in the
 // tank at which particle i was in the liquid, or nothing. Returns how many it has moved.
-template <class Tank, class Before>
+template <class Before>
 std::size_t turn_back(Particles& p, const Tank& tank, const LineOfSight& sight,
                       const Before& before) {
   std::size_t turned = 0;

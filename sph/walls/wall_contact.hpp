@@ -3,13 +3,12 @@
 // state at the start of a step and returns how many it has corrected.
 #pragma once
 
-#include <cmath>
+#include <variant>
 
 #include "sph/neighbours/particles.hpp"
 #include "sph/setting.hpp"
 #include "sph/walls/mirror_particles.hpp"
-#include "sph/walls/obstacle_contact.hpp"
-#include "sph/walls/solid_particles.hpp"
+#include "sph/walls/tank_outline.hpp"
 #include "sph/walls/tank_walls.hpp"
 
 namespace slosh::sph {
@@ -23,51 +22,8 @@ struct ReflectingWall {
 
   explicit ReflectingWall(const Setting&) {}
 
-  template <int walls = all_walls, class Tank>
-  void push(const Particles&, const Tank&, Rates&) const {}
-
-  template <class Tank>
-  std::size_t confine(Particles& p, const Tank& tank) const {
-    if (all_inside(p, tank)) return 0;
-    std::size_t exchanged = 0;
-#pragma omp parallel for schedule(static) reduction(+ : exchanged)
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const Vector2 place = tank.in_tank(p.x[i], p.z[i]);
-      const bool out_x = !inside(place.x, tank.length()),
-                 out_z = !inside(place.z, tank.tank_height());
-      if (!out_x && !out_z) continue;
-      ++exchanged;
-      move_with_tank(p, i, tank,
-                     {out_x ? reflected(place.x, tank.length()) : place.x,
-                      out_z ? reflected(place.z, tank.tank_height()) : place.z},
-                     out_x, out_z);
-    }
-    return exchanged;
-  }
-
- private:
-  // The usual case, found in a loop without branches, which takes plain pointers and a copy of the
-  // tank because its loads would not be vectorised otherwise.
-  template <class Tank>
-  static bool all_inside(const Particles& p, const Tank& tank) {
-    const double *x = p.x.data(), *z = p.z.data();
-    const std::size_t n = p.size();
-    const Tank at = tank;
-    const double length = at.length(), height = at.tank_height();
-    double outside = 0;
-#pragma omp parallel for simd schedule(static) reduction(+ : outside)
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vector2 place = at.in_tank(x[i], z[i]);
-      const double out =
-          place.x > 0 && place.x < length && place.z > 0 && place.z < height ? 0.0 : 1.0;
-      outside += out;
-    }
-    return outside == 0;
-  }
-  static bool inside(double position, double length) { return position > 0 && position < length; }
-  static double reflected(double position, double length) {
-    return 2 * (position <= 0 ? 0 : length) - position;
-  }
+  void push(const Particles&, const Tank&, Rates&, int = all_walls) const {}
+  std::size_t confine(Particles& p, const Tank& tank) const;
 };
 
 // Repulsive particles along the walls, r0 apart (Monaghan 1994; Li et al. 2010, section 2.4). Each
@@ -85,41 +41,20 @@ struct RepulsiveWall {
       : strength(5 * s.gravity * s.fill_depth),  // Monaghan 1994
         range(0.5 * s.flattest_cell) {}
 
-  std::size_t confine(Particles&, const TankWalls&) const { return 0; }
-
-  template <int of = all_walls>
-  void push(const Particles& p, const TankWalls& walls, Rates& rates) const {
-#pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const double r0 = range * p.spacing_of(i);
-      const double from_left = p.x[i] - walls.left, from_right = p.x[i] - walls.right;
-      const double from_bottom = p.z[i] - walls.bottom, from_roof = p.z[i] - walls.roof;
-      double& ax = rates.acceleration_x[i];
-      double& az = rates.acceleration_z[i];
-      if ((of & in_left) && from_left < r0) push_one(from_left, from_bottom, r0, ax, az);
-      if ((of & in_right) && -from_right < r0) push_one(from_right, from_bottom, r0, ax, az);
-      if ((of & in_bottom) && from_bottom < r0) push_one(from_bottom, from_left, r0, az, ax);
-      if ((of & in_roof) && -from_roof < r0) push_one(from_roof, from_left, r0, az, ax);
-    }
-  }
+  std::size_t confine(Particles&, const Tank&) const { return 0; }
+  void push(const Particles& p, const Tank& tank, Rates& rates, int of = all_walls) const;
 
  private:
-  // `normal` is the signed distance from the wall, `along` the position along it from a wall
-  // particle.
   void push_one(double normal, double along, double r0, double& normal_rate,
-                double& tangential_rate) const {
-    const double pitch = r0;
-    const double nearest = std::round(along / pitch);
-    for (int k = -1; k <= 1; ++k) {
-      const double tangential = along - (nearest + k) * pitch;
-      const double r2 = normal * normal + tangential * tangential;
-      if (r2 >= r0 * r0) continue;
-      const double ratio4 = (r0 * r0 / r2) * (r0 * r0 / r2);
-      const double f = strength * (ratio4 * ratio4 * ratio4 - ratio4) / r2;
-      normal_rate += f * normal;
-      tangential_rate += f * tangential;
-    }
-  }
+                double& tangential_rate) const;
 };
+using WallContact = std::variant<ReflectingWall, RepulsiveWall>;
+
+// Puts particles that have crossed a tank's outline back, as ReflectingWall does in a rectangle:
+// every particle that has crossed it is exchanged with its mirror image in the outline's nearest
+// point, so that its position is reflected, and the component of its velocity along the way back
+// becomes 2 v_wall - v. Where the image is outside too, beyond a sharp corner, the particle is put
+// just inside that point. Returns how many it has moved.
+std::size_t confine_to(const TankOutline& outline, Particles& p, const Tank& tank);
 
 }  // namespace slosh::sph

@@ -8,11 +8,9 @@ namespace slosh::sph {
 
 // Returns the acceleration of a particle by the other particles and the walls, that is without
 // gravity and inertial forces, along the frame's axes [m/s2].
-template <class Tank>
-Vector2 push_on(const Particles& p, std::size_t i, const Rates& rates, const Tank& tank,
-                double gravity) {
-  Vector2 pulled{0, 0};
-  tank.pull(gravity, p.x[i], p.z[i], p.velocity_x[i], p.velocity_z[i], pulled.x, pulled.z);
+inline Vector2 push_on(const Particles& p, std::size_t i, const Rates& rates, const Tank& tank,
+                       double gravity) {
+  const Vector2 pulled = tank.pull(gravity, p.x[i], p.z[i], p.velocity_x[i], p.velocity_z[i]);
   return {rates.acceleration_x[i] - pulled.x, rates.acceleration_z[i] - pulled.z};
 }
 
@@ -25,9 +23,8 @@ struct PowerAt {
 // over the particles of the push times the velocity of the tank's point at the particle, because
 // the forces between particles have no resultant force or moment. `tank` and `motion` are those at
 // the time of the rates.
-template <class Tank, class Motion>
-double power_of_walls(const Particles& p, const Rates& rates, const Tank& tank,
-                      const Motion& motion, double gravity) {
+inline double power_of_walls(const Particles& p, const Rates& rates, const Tank& tank,
+                             const TankMotion& motion, double gravity) {
   double power = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vector2 place = tank.in_tank(p.x[i], p.z[i]), of_tank = motion.velocity(place.x, place.z),

@@ -57,7 +57,7 @@ Rows for_both(const FindingRow& row, const std::string& first, const std::string
   return rows;
 }
 
-Rows together(Rows rows, const Rows& others) {
+Rows joined(Rows rows, const Rows& others) {
   rows.insert(rows.end(), others.begin(), others.end());
   return rows;
 }
@@ -80,7 +80,7 @@ std::vector<PaperClaim> mild_claims() {
        .statement = "Both ways, with boundary particles that move with the tank or are fixed in "
                     "its frame, follow the same trend as the experiment's pressure at A.",
        .figures = {"3"},
-       .findings = together(
+       .findings = joined(
            for_both(
                {.evidence = phase_against_record, .cases = {mild}, .thresholds = {agreeing_lag}},
                moving, fixed, {record}),
@@ -166,13 +166,13 @@ std::vector<PaperClaim> violent_claims() {
       {.number = "Z8.3",
        .statement = "Both ways have good accuracy.",
        .figures = {"8"},
-       .findings = together(
-           both_ways({.evidence = plateau_against_published,
-                      .cases = {violent},
-                      .thresholds = {agreeing_plateau}}),
-           both_ways({.evidence = peaks_among_repeats,
-                      .cases = {violent},
-                      .thresholds = {among_repeats, near_mean_of_repeats, peaks_outside}})),
+       .findings =
+           joined(both_ways({.evidence = plateau_against_published,
+                             .cases = {violent},
+                             .thresholds = {agreeing_plateau}}),
+                  both_ways({.evidence = peaks_among_repeats,
+                             .cases = {violent},
+                             .thresholds = {among_repeats, near_mean_of_repeats, peaks_outside}})),
        .rests_on = {"Z8.1"}},
       {.number = "Z9.1",
        .statement = "Both ways capture impact and splash, at 3.45 and 4.35 s.",
@@ -217,7 +217,7 @@ std::vector<PaperClaim> violent_claims() {
   };
 }
 
-std::vector<Deviation> deviations() {
+std::vector<Deviation> zhao2021_deviations() {
   return {
       {"both schemes",
        "artificial compressibility; neither equation of state nor speed of sound "
@@ -272,7 +272,7 @@ std::vector<Deviation> deviations() {
 
 const ClaimsOfPaper& zhao2021_claims() {
   static const ClaimsOfPaper all = [] {
-    ClaimsOfPaper paper{"zhao2021", mild_claims(), deviations()};
+    ClaimsOfPaper paper{"zhao2021", mild_claims(), zhao2021_deviations()};
     for (const PaperClaim& claim : violent_claims()) paper.claims.push_back(claim);
     return paper;
   }();

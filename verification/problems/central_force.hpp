@@ -2,38 +2,22 @@
 // instead of gravity. The force is a scheme's frame, so that the schemes of tanks need not know it.
 #pragma once
 
+#include "sph/compiled_terms.hpp"
 #include "sph/schemes.hpp"
 
 namespace slosh {
 
 inline constexpr double angular_frequency = 1;  // Omega [rad/s]
 
-struct CentralField : sph::TankWalls {
-  double centre_x, centre_z;  // [m]
-
-  sph::Vector2 apparent_gravity(double, double x, double z, double u, double w) const {
-    sph::Vector2 sum{0, 0};
-    pull(0, x, z, u, w, sum.x, sum.z);
-    return sum;
-  }
-  template <class Number>
-  void pull(double, Number x, Number z, Number, Number, Number& acceleration_x,
-            Number& acceleration_z) const {
-    acceleration_x -= angular_frequency * angular_frequency * (x - centre_x);
-    acceleration_z -= angular_frequency * angular_frequency * (z - centre_z);
-  }
-};
-
 struct CentralFrame {
   static constexpr const char* name = "central force -Omega^2 r about the middle of the box";
-  using Tank = CentralField;
-  using Motion = sph::SurgeMotion;
-  static constexpr bool takes_roll = false;
+  static constexpr bool takes_roll = false, walls_roll = false, is_tanks = false;
 
-  static Tank tank(const sph::Scene& scene, double) {
-    return {{0, scene.tank_length, 0, scene.tank_height, 0, 0},
-            0.5 * scene.tank_length,
-            0.5 * scene.tank_height};
+  static sph::Tank tank(const sph::Scene& scene, double) {
+    return {sph::TankWalls{0, scene.tank_length, 0, scene.tank_height, 0, 0},
+            sph::InertialForces{.axis_x = 0.5 * scene.tank_length,
+                                .axis_z = 0.5 * scene.tank_height,
+                                .attraction = angular_frequency * angular_frequency}};
   }
 };
 

@@ -6,9 +6,11 @@
 #include <optional>
 #include <utility>
 
+#include "sph/guards/stability_guard.hpp"
 #include "sph/liquid.hpp"
 #include "sph/scheme.hpp"
 #include "sph/simulation.hpp"
+#include "sph/start/initial_lattice.hpp"
 
 namespace slosh {
 
@@ -89,14 +91,14 @@ void set_pressure(const Scheme& scheme, sph::Particles& p, std::size_t i, double
 
 template <class Choice>
 struct Flow {
-  using Scheme = sph::Scheme<Choice>;
   sph::Scene scene;
-  sph::Liquid<Scheme> liquid;
+  sph::Liquid liquid;
   typename Choice::Integrator integrator = {};
   double steps = 0;
 
   Flow(const Box& box, sph::Particles particles)
-      : scene(scene_of(box)), liquid(scene, scheme_of<Choice>(box), std::move(particles)) {}
+      : scene(scene_of(box)),
+        liquid(scene, method_of(scheme_of<Choice>(box)), std::move(particles)) {}
   Flow(const Flow&) = delete;  // the liquid refers to the scene
   Flow& operator=(const Flow&) = delete;
 
@@ -110,7 +112,7 @@ struct Flow {
   // is not finite or out of its range.
   void advance_to(double time) {
     const double left = time - liquid.time;
-    const double count = std::ceil(left / liquid.scheme().time_step.longest_step - 1e-9);
+    const double count = std::ceil(left / liquid.method().longest_step() - 1e-9);
     for (int i = 0; i < count; ++i) step(left / count);
     sph::check_state(liquid.particles, scene.rest_density, liquid.time);
   }

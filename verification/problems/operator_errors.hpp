@@ -11,6 +11,7 @@
 #include <numbers>
 #include <random>
 
+#include "sph/compiled_terms.hpp"
 #include "sph/schemes.hpp"
 #include "verification/problems/flow.hpp"
 
@@ -88,7 +89,7 @@ class OperatorTrial {
 
   OperatorErrors errors() {
     using Kernel = typename Choice::Kernel;
-    const double h = flow_.liquid.scheme().setting.smoothing_length();
+    const double h = flow_.liquid.setting().smoothing_length();
     const double kept = kept_of_wave<Kernel>(std::numbers::sqrt2 * k * h);
     OperatorErrors errors;
     errors.gradient = gradient_error(1);
@@ -104,7 +105,7 @@ class OperatorTrial {
                    error(rates_.acceleration_z, [&](Wave w) { return strength * eddy(w).z; })) /
         std::numbers::sqrt2;
     set([](Wave w) { return w.cx * w.cz; }, [](Wave) { return sph::Vector2{0, 0}; });
-    const sph::Setting& s = flow_.liquid.scheme().setting;
+    const sph::Setting& s = flow_.liquid.setting();
     errors.diffusion = error(rates_.density_rate, [&](Wave w) {
       return -2 * k * k * s.density_diffusion * h / s.speed_of_sound * pressure_scale * w.cx * w.cz;
     });
@@ -134,12 +135,12 @@ class OperatorTrial {
     sph::Particles& p = flow_.liquid.particles;
     for (std::size_t i = 0; i < p.size(); ++i) {
       const Wave w = wave(i);
-      set_pressure(flow_.liquid.scheme(), p, i, pressure_scale * pressure_of(w));
+      set_pressure(scheme_, p, i, pressure_scale * pressure_of(w));
       const sph::Vector2 velocity = velocity_of(w);
       p.velocity_x[i] = velocity.x;
       p.velocity_z[i] = velocity.z;
     }
-    flow_.liquid.evaluate(flow_.liquid.scheme(), rates_);
+    flow_.liquid.evaluate(rates_);
   }
 
   double gradient_error(double kept) {
@@ -168,6 +169,7 @@ class OperatorTrial {
   }
 
   Box box_;
+  sph::Scheme<Measured<Choice>> scheme_ = scheme_of<Measured<Choice>>(box_);
   Flow<Measured<Choice>> flow_;
   sph::Rates rates_;
 };

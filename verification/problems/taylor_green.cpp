@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sph/compiled_terms.hpp"
 #include "sph/schemes.hpp"
 #include "verification/problems/flow.hpp"
 #include "verification/problems/problem_list.hpp"

@@ -103,7 +103,7 @@ Balance balance(int cells) {
   const Box box = box_of(cells);
   Flow<Choice> flow(box, start(box));
   const sph::Particles& p = flow.liquid.particles;
-  const Scheme& scheme = flow.liquid.scheme();
+  const Scheme scheme = scheme_of<Choice>(box);
   const sph::Vector2 before = momentum(p);
   double mass = 0;
   for (const double one : p.mass) mass += one;

@@ -19,8 +19,8 @@ namespace slosh {
 //   - the content of a record and of an external run's inputs, which include those of its arguments
 //     that are files (external_command.hpp)
 // The origin is
-//   - the content of the solver's file in `builds`, which changes with the code of that solver
-//     alone (solver_builds.cmake)
+//   - the content of the solver's file in `builds`: its sources without comments and layout, the
+//     compiler and its options (solver_builds.cmake)
 //   - for interFoam, its version and the templates' content; for an external run, its program's
 // Throws std::filesystem::filesystem_error where one of these files cannot be read.
 std::string run_key(const CaseDefinition& definition, const RunDefinition& run,

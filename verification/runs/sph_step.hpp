@@ -8,7 +8,7 @@
 namespace slosh {
 
 // The length of an SPH run's steps before it runs: the scheme's stable step of liquid at rest, and
-// the equal steps from one sample to the next that run_scheme.hpp makes of it. Violent flow
+// the equal steps from one sample to the next that sph/run.cpp makes of it. Violent flow
 // shortens them further.
 struct SphStep {
   double stable;           // [s]

@@ -1,50 +1,22 @@
-// What the keys of results rest on, read from the build's own graph: the objects that each file of
-// slosh.builds is made of, their sources and all headers that these include.
+// What the keys of results rest on: the sources in each file of slosh.builds.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
+#include <fstream>
 #include <set>
-#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace slosh::solver_builds_test {
 namespace {
 
-std::vector<std::string> lines_of(const std::string& command) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
-  std::string text;
-  std::array<char, 4096> part{};
-  while (const std::size_t got = fread(part.data(), 1, part.size(), pipe.get()))
-    text.append(part.data(), got);
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-const std::string ninja = "ninja -C " SLOSH_BUILD_DIR " -t ";
-
-// Paths from the source tree's root, as "sph/step.hpp".
+// Paths from the source tree's root, as "sph/liquid.hpp".
 std::set<std::string> files_behind(const std::string& kind) {
   std::set<std::string> files;
-  const auto add = [&](const std::string& path) {
-    const auto root = path.find(SLOSH_SOURCE_DIR "/");
-    const std::string up = "../../";
-    if (root != std::string::npos)
-      files.insert(path.substr(root + sizeof SLOSH_SOURCE_DIR));
-    else if (path.find(up) != std::string::npos)
-      files.insert(path.substr(path.find(up) + up.size()));
-  };
-  std::string objects;
-  for (const std::string& input : lines_of(ninja + "inputs verification/slosh.builds/" + kind)) {
-    add(input);
-    if (input.ends_with(".o")) objects += " " + input;
-  }
-  for (const std::string& line : lines_of(ninja + "deps" + objects)) add(line);
+  std::ifstream text(SLOSH_BUILDS "/" + kind);
+  for (std::string line; std::getline(text, line);)
+    if (line.starts_with("== ")) files.insert(line.substr(3));
   return files;
 }
 
@@ -57,29 +29,19 @@ const std::vector<std::string> kinds{"sph",          "interfoam", "linear",   "p
                                      "viscous_wave", "record",    "external", "stored"};
 
 TEST(SolverBuilds, RestOnNoGateMetricReportOrCampaign) {
-  const std::vector<std::string> others{"verification/gate/",
-                                        "verification/evidence/",
-                                        "verification/assessment/",
-                                        "verification/sensitivity/",
-                                        "verification/fits/",
-                                        "verification/metrics/",
-                                        "verification/convergence/",
-                                        "verification/campaign/",
-                                        "verification/engine/",
-                                        "verification/papers/",
-                                        "verification/baseline/",
-                                        "verification/texts/",
-                                        "verification/cli/",
-                                        "verification/display/",
-                                        "verification/runs/",
-                                        "verification/problems/",
-                                        "reports/"};
+  const std::vector<std::string> others{
+      "verification/gate/",        "verification/evidence/", "verification/assessment/",
+      "verification/sensitivity/", "verification/fits/",     "verification/metrics/",
+      "verification/convergence/", "verification/campaign/", "verification/engine/",
+      "verification/papers/",      "verification/baseline/", "verification/texts/",
+      "verification/case_file/",   "verification/cli/",      "verification/display/",
+      "verification/runs/",        "verification/problems/", "reports/"};
   for (const std::string& folder : others)
     EXPECT_TRUE(std::filesystem::is_directory(SLOSH_SOURCE_DIR "/" + folder)) << folder;
   for (const std::string& kind : kinds) {
     const std::set<std::string> files = files_behind(kind);
     EXPECT_TRUE(files.contains("verification/solvers/" + kind + "_run.cpp")) << kind;
-    EXPECT_TRUE(files.contains("verification/case/case_definition.hpp")) << kind;
+    EXPECT_TRUE(files.contains("verification/results/result_file.hpp")) << kind;
     for (const std::string& folder : others)
       EXPECT_FALSE(any_in(files, folder)) << kind << " rests on " << folder;
   }

@@ -12,7 +12,7 @@ namespace slosh {
 namespace {
 
 // More modes of a section would need finer elements than the reference has.
-constexpr int most_modes = 150;
+constexpr int most_section_modes = 150;
 
 // The key of [tank] that tells the outline.
 std::string outline_key(const CaseDefinition& definition) {
@@ -51,8 +51,9 @@ void refuse_breadth_of_outline(const TomlTable& root, const CaseDefinition& defi
 }
 
 Rule<int> modes_of_outline(const CaseDefinition& definition) {
-  return {fmt::format("an integer from 1 to {} beside {}", most_modes, outline_key(definition)),
-          [](int modes) { return modes >= 1 && modes <= most_modes; }, 40};
+  return {
+      fmt::format("an integer from 1 to {} beside {}", most_section_modes, outline_key(definition)),
+      [](int modes) { return modes >= 1 && modes <= most_section_modes; }, 40};
 }
 
 void refuse_solver_of_outline(const TomlTable& run, const CaseDefinition& definition) {

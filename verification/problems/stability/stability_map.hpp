@@ -39,7 +39,7 @@ sph::Scene still_tank(double depth, double spacing);
 
 // Returns one long wave in 1 m of water 0.4 m deep, with particles of 0.04 m, for `steps` steps of
 // the Courant number dt c0 / h. Each is a sample, since a run shortens its own steps where the
-// liquid is compressed (sph/run_scheme.hpp), and the map asks what happens if it does not.
+// liquid is compressed (sph/run.cpp), and the map asks what happens if it does not.
 sph::Scene wave_scene(const sph::SchemeNumbers& numbers, int steps);
 
 // Returns the lattice analysis of `recommended`, with whose limits the maps of a free wave are

@@ -25,7 +25,7 @@ double sound_at_bottom(double ratio, double gamma) {
 }
 
 // Returns dt c0 / h of the calm liquid, whose step follows the sound at the bottom
-// (sph/run_scheme.hpp).
+// (sph/run.cpp).
 double courant_number_of_recommended(double ratio, double gamma) {
   return sph::Recommended::numbers.courant_number.value() / sound_at_bottom(ratio, gamma);
 }

@@ -21,6 +21,21 @@ struct WithWrongGradient : sph::Recommended {
   using Formulation = TooStrong;
 };
 
+}  // namespace
+}  // namespace slosh::operator_errors_test
+
+namespace slosh::sph {
+// No start is projected with it.
+template <>
+std::shared_ptr<const SchemeTerms> compiled_operators(
+    const PressureAlone<PairTermsOf<Measured<operator_errors_test::WithWrongGradient>>>&) {
+  return nullptr;
+}
+}  // namespace slosh::sph
+
+namespace slosh::operator_errors_test {
+namespace {
+
 template <class Choice>
 ProblemRun run_of(double OperatorErrors::*errors) {
   ProblemResult result;

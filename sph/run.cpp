@@ -1,5 +1,4 @@
-// The run of one scheme: the main loop.
-#pragma once
+#include "sph/run.hpp"
 
 #include <fmt/format.h>
 
@@ -13,17 +12,14 @@
 
 #include "sph/guards/stability_guard.hpp"
 #include "sph/held_arrays.hpp"
-#include "sph/liquid.hpp"
 #include "sph/recording/recorder.hpp"
 #include "sph/restart/resume.hpp"
-#include "sph/run_output.hpp"
-#include "sph/scene.hpp"
-#include "sph/scheme.hpp"
 #include "sph/start/initial_state.hpp"
 
 namespace slosh::sph {
+namespace {
 
-inline double largest_acceleration(const Rates& rates, double gravity) {
+double largest_acceleration(const Rates& rates, double gravity) {
   // The loop takes plain pointers because its loads from the arrays would not be vectorised.
   const double *x = rates.acceleration_x.data(), *z = rates.acceleration_z.data();
   const std::size_t n = rates.acceleration_x.size();
@@ -33,7 +29,7 @@ inline double largest_acceleration(const Rates& rates, double gravity) {
   return std::sqrt(largest2);
 }
 
-inline double largest_density(const Particles& particles) {
+double largest_density(const Particles& particles) {
   const double* density = particles.density.data();
   const std::size_t n = particles.size();
   double largest = 0;
@@ -42,26 +38,17 @@ inline double largest_density(const Particles& particles) {
   return largest;
 }
 
-// Returns the longest stable step from a state whose accelerations are known.
-template <class Liquid>
-double stable_step(const Liquid& liquid, double gravity) {
-  const auto& scheme = liquid.scheme();
-  return scheme.time_step(largest_acceleration(liquid.rates, gravity),
-                          scheme.state.speed_of_sound_at(largest_density(liquid.particles)));
-}
-
-inline double largest_magnitude(const History& history) {
+double largest_magnitude(const History& history) {
   double largest = 0;
   for (const double value : history.value) largest = std::max(largest, std::abs(value));
   return largest;
 }
 
-template <class Scheme>
-void check_fixed_step(const Scene& scene, const Scheme& scheme) {
+void check_fixed_step(const Scene& scene, const Setting& setting) {
   const double finest = std::min(scene.particle_spacing, scene.surface_particle_spacing);
-  const double h = scheme.setting.smoothing_length_ratio * finest;
-  const double dt = Scheme::TimeStep::step,
-               limit = Scheme::TimeStep::stable_courant_number * h / scheme.setting.speed_of_sound;
+  const double h = setting.smoothing_length_ratio * finest;
+  const double dt = FixedStep::step,
+               limit = FixedStep::stable_courant_number * h / setting.speed_of_sound;
   if (!(dt <= limit))
     throw SimulationError(
         fmt::format("the scheme's fixed time step {} s is unstable at particle spacing {} m: "
@@ -69,9 +56,11 @@ void check_fixed_step(const Scene& scene, const Scheme& scheme) {
                     dt, finest, limit));
 }
 
+bool adapts(const Method& method) { return std::holds_alternative<AdaptiveStep>(method.time_step); }
+
 // Returns the interval of `what` in samples; 0 for an interval of 0, which stands for none. Throws
 // std::invalid_argument where the interval is not a multiple of the sample interval.
-inline int samples_per(const char* what, double interval, const Scene& scene) {
+int samples_per(const char* what, double interval, const Scene& scene) {
   if (interval == 0) return 0;
   const double ratio = interval / scene.sample_interval, whole = std::round(ratio);
   if (!(whole >= 1 && whole <= 1e9 && std::abs(ratio - whole) <= 1e-9 * whole))
@@ -81,22 +70,21 @@ inline int samples_per(const char* what, double interval, const Scene& scene) {
   return static_cast<int>(whole);
 }
 
-template <class Choice>
-std::vector<std::string> terms_of_run(const Scene& scene, const Scheme<Choice>& scheme) {
-  std::vector<std::string> terms = Scheme<Choice>::active_terms();
-  if (gap_layers(scheme.setting).largest_friction() > 0)
+std::vector<std::string> terms_of_run(const Scene& scene, const Method& method) {
+  std::vector<std::string> terms = method.active_terms();
+  const Setting& setting = method.terms->setting;
+  if (gap_layers(setting).largest_friction() > 0)
     terms.push_back(fmt::format("boundary layers of the front and the back wall {:.4g} m apart",
                                 scene.breadth));
-  terms.push_back(start_name(chosen_state<Choice>(scene)));
+  terms.push_back(start_name(chosen_state(scene, method)));
   if (scene.speed_from_coarse_run)
     terms.push_back("expected largest speed measured by a coarse run");
-  if constexpr (Choice::TimeStep::adapts)
-    terms.push_back(fmt::format("time step of at most {} h / c0", scheme.setting.courant_number));
+  if (adapts(method))
+    terms.push_back(fmt::format("time step of at most {} h / c0", setting.courant_number));
   return terms;
 }
 
-template <class Choice>
-std::vector<HeldArray> held_arrays(RunMemory<Choice>& run) {
+std::vector<HeldArray> held_arrays(RunMemory& run) {
   HeldArrays arrays;
   run.liquid.report_memory(arrays);
   run.recorder.report_memory(arrays);
@@ -104,18 +92,16 @@ std::vector<HeldArray> held_arrays(RunMemory<Choice>& run) {
 }
 
 // Advances the run to the time of the next sample.
-template <class Choice>
-void advance_to(double target, RunMemory<Choice>& run, const Scene& scene) {
+void advance_to(double target, RunMemory& run, const Scene& scene) {
   auto& [liquid, recorder, integrator, sample, smallest_step] = run;
-  const Scheme<Choice>& scheme = liquid.scheme();
   while (liquid.time < target) {
     // The steps to the sample are equal, each at most the stable one; the last ends on it exactly.
     const double left = target - liquid.time;
     const double stable = stable_step(liquid, scene.gravity);
-    check_step(stable, scheme.time_step(0, 0), liquid.particles, liquid.rates, liquid.time);
+    check_step(stable, liquid.method().longest_step(), liquid.particles, liquid.rates, liquid.time);
     const double count = std::ceil(left / stable - 1e-9);
     const double dt = left / count;
-    integrator.advance(liquid, dt);
+    advance(integrator, liquid, dt);
     liquid.time = count <= 1 ? target : liquid.time + dt;
     check_state(liquid.particles, scene.rest_density, liquid.time);
     recorder.add_step(liquid);
@@ -125,8 +111,7 @@ void advance_to(double target, RunMemory<Choice>& run, const Scene& scene) {
 }
 
 // Advances the run to its end, and records, saves and reports at the sample times.
-template <class Choice>
-void go_through(RunMemory<Choice>& run, LastGoodState<Choice>& last_good, const Scene& scene,
+void go_through(RunMemory& run, LastGoodState& last_good, const Scene& scene,
                 const Progress& progress) {
   auto& [liquid, recorder, integrator, sample, smallest_step] = run;
   const int snapshot_stride = samples_per("snapshot", scene.snapshot_interval, scene),
@@ -156,19 +141,18 @@ void go_through(RunMemory<Choice>& run, LastGoodState<Choice>& last_good, const 
   }
 }
 
-template <class Choice>
-void add_diagnostics(RunMemory<Choice>& run, const Scene& scene, RunOutput& output) {
-  const Scheme<Choice>& scheme = run.liquid.scheme();
+void add_diagnostics(RunMemory& run, const Scene& scene, RunOutput& output) {
+  const Setting& setting = run.liquid.setting();
   output.held_arrays = held_arrays(run);
   output.exchanged_at_walls = run.liquid.exchanged_at_walls();
-  output.diagnostics["expected_speed_m_s"] = scheme.setting.expected_speed;
+  output.diagnostics["expected_speed_m_s"] = setting.expected_speed;
   if (const auto& coarse = scene.coarse_run)
     output.diagnostics["coarse_run_spacing_m"] = coarse->particle_spacing;
-  output.diagnostics["speed_of_sound_m_s"] = scheme.setting.speed_of_sound;
-  output.diagnostics["smoothing_length_ratio"] = scheme.setting.smoothing_length_ratio;
-  output.diagnostics["evaluations_per_step"] = Choice::Integrator::evaluations;
-  if constexpr (Choice::TimeStep::adapts)
-    output.diagnostics["courant_number"] = scheme.setting.courant_number;
+  output.diagnostics["speed_of_sound_m_s"] = setting.speed_of_sound;
+  output.diagnostics["smoothing_length_ratio"] = setting.smoothing_length_ratio;
+  output.diagnostics["evaluations_per_step"] =
+      std::visit([](const auto& own) { return own.evaluations; }, run.integrator);
+  if (adapts(run.liquid.method())) output.diagnostics["courant_number"] = setting.courant_number;
   output.diagnostics["smallest_time_step_s"] = run.smallest_step;
   output.diagnostics["wall_crossings"] = static_cast<double>(output.exchanged_at_walls);
   for (const RecordedSeries& series : output.soundness)
@@ -176,23 +160,29 @@ void add_diagnostics(RunMemory<Choice>& run, const Scene& scene, RunOutput& outp
   output.diagnostics["largest_packing_drift"] = largest_magnitude(output.packing_drift);
 }
 
-template <class Choice>
-RunOutput run_scheme(const Scene& scene, const Progress& progress) {
-  const Scheme<Choice> scheme(scene);
-  if constexpr (!Choice::TimeStep::adapts) check_fixed_step(scene, scheme);
+}  // namespace
+
+double stable_step(const Liquid& liquid, double gravity) {
+  return liquid.method().stable_step(
+      largest_acceleration(liquid.rates, gravity),
+      liquid.terms().speed_of_sound_at(largest_density(liquid.particles)));
+}
+
+RunOutput run(const Method& method, const Scene& scene, const Progress& progress) {
+  if (!adapts(method)) check_fixed_step(scene, method.terms->setting);
   // A run that takes no steps, or goes on from a saved state, needs no prepared liquid.
   const bool prepares = scene.takes_steps && !scene.resume;
-  RunMemory<Choice> run(scene, scheme,
-                        prepares ? initial_state(scene, scheme) : start_lattice(scene, scheme));
+  RunMemory run(scene, method,
+                prepares ? initial_state(scene, method) : start_lattice(scene, method));
   RunOutput& output = run.recorder.output;
   output.particles = run.liquid.particles.size();
-  output.active_terms = terms_of_run(scene, scheme);
+  output.active_terms = terms_of_run(scene, method);
   if (scene.resume) {
     resume_from(run, scene, *scene.resume);
     ++run.sample;
   }
   check_state(run.liquid.particles, scene.rest_density, run.liquid.time);
-  LastGoodState<Choice> last_good;
+  LastGoodState last_good;
   try {
     go_through(run, last_good, scene, progress);
   } catch (const SimulationError&) {
