@@ -46,7 +46,7 @@ PredictionSet set_from(const json& entry) {
 constexpr std::array<int, 5> statuses{exit_solver_failed, exit_violated, exit_not_compared,
                                       exit_inconclusive, exit_pass};
 
-bool is_worse(int status, int other) {
+bool is_worse_status(int status, int other) {
   return std::find(statuses.begin(), statuses.end(), status) <
          std::find(statuses.begin(), statuses.end(), other);
 }
@@ -113,7 +113,7 @@ RecordedCampaign recorded_campaign(const std::string& text, const std::string& p
         ++recorded.rows;
         recorded.passed += verdict == Verdict::pass;
       }
-  if (const int of_rows = exit_status_of(verdicts); is_worse(of_rows, recorded.exit_status))
+  if (const int of_rows = exit_status_of(verdicts); is_worse_status(of_rows, recorded.exit_status))
     throw std::invalid_argument(fmt::format("exit_status {}: expected {}, that of its gate rows",
                                             recorded.exit_status, of_rows));
   for (const json& set : document.at("model_bias")) recorded.predictions.push_back(set_from(set));
@@ -153,7 +153,7 @@ int exit_status(const std::vector<RecordedCampaign>& campaigns,
   if (campaigns.empty()) return exit_not_compared;
   int worst = left_out.empty() ? exit_pass : exit_not_compared;
   for (const RecordedCampaign& one : campaigns)
-    if (is_worse(one.exit_status, worst)) worst = one.exit_status;
+    if (is_worse_status(one.exit_status, worst)) worst = one.exit_status;
   return worst;
 }
 
