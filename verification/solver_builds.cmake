@@ -37,7 +37,7 @@ function(solver_sources kind)
       string(APPEND request "source ${directory}/${source}\n")
     endforeach()
   endwhile()
-  file(GENERATE OUTPUT ${requests}/${kind} CONTENT "${request}")
+  file(GENERATE OUTPUT ${requests}/${kind} CONTENT "${request}" TARGET slosh_tool)
   set_property(TARGET slosh_tool APPEND PROPERTY LINK_DEPENDS ${requests}/${kind})
   add_custom_command(TARGET slosh_tool POST_BUILD VERBATIM
     COMMAND write_solver_sources ${builds}/${kind} ${requests}/${kind} ${CMAKE_SOURCE_DIR})
