@@ -35,7 +35,7 @@ const MetricEntry& read_metric(const TomlTable& row) {
   return metric_entry(row.choice("metric", "a metric", metric_names()));
 }
 
-// A cost is of many runs, and of a percentile neither end is the better one.
+// A cost is of many runs, and a p-value is not best at zero.
 const MetricEntry& read_metric_with_goal(const TomlTable& measure) {
   std::vector<std::string> names;
   for (const MetricEntry& entry : metric_table())
@@ -304,7 +304,6 @@ void require_published(const TomlTable& row, Metric metric, const ImpactsDefinit
   if (metric == Metric::impact_arrival || metric == Metric::impulse_error)
     require(impacts.arrivals.has_value(), "arrivals_s");
   if (metric == Metric::impulse_error) require(impacts.impulses.has_value(), "impulses_Pa_s");
-  if (metric == Metric::impact_rise_time) require(impacts.rise_times.has_value(), "rise_times_s");
   if (is_of_repeats(metric)) require(!impacts.peak_table.empty(), "peak_table");
 }
 

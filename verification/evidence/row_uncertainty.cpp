@@ -87,8 +87,6 @@ Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, do
   };
   if (row.metric == Metric::impact_arrival)
     return half_width(impacts.arrivals.value().half_width, 1, "arrivals_half_width_s");
-  if (row.metric == Metric::impact_rise_time)
-    return half_width(impacts.rise_times.value().half_width, 1, "rise_times_half_width_s");
   if (row.metric == Metric::impact_peak_error)
     return half_width(impacts.peaks_half_width, std::abs(1 + value) / of_impact(impacts.peak_means),
                       "peaks_half_width_Pa");
@@ -96,13 +94,7 @@ Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, do
     return half_width(impacts.impulses.value().half_width,
                       std::abs(1 + value) / of_impact(impacts.impulses->values),
                       "impulses_half_width_Pa_s");
-  if (row.metric != Metric::impact_percentile)
-    throw std::logic_error("no uncertainty is published for " + metric_name(row.metric));
-  // The share of the repeats below the peak, by the normal approximation of the binomial.
-  const double repeats =
-      static_cast<double>(impacts.repeats.empty() ? 1 : impacts.repeats[0].size());
-  return {1.96 * std::sqrt(std::max(0.0, value * (1 - value)) / repeats),
-          "the finite number of repeats"};
+  throw std::logic_error("no uncertainty is published for " + metric_name(row.metric));
 }
 
 // What a theory leaves beside its series, and the multiple of the change that counts.

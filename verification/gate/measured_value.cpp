@@ -42,16 +42,6 @@ Estimate decay_error_of(const ModeComparison& mode) {
   return mode.decay_error;
 }
 
-// Both series are finite, so that NaN means too few periods. The value holds for the declared
-// window alone, like normalised_rms.
-Estimate resolved_or_refused(Metric metric, double value) {
-  if (std::isnan(value))
-    throw ComparisonError(fmt::format(
-        "the window holds too few periods of the mode for {}; expected {}", metric_name(metric),
-        metric == Metric::band_energy_error ? "10 or more" : "1 or more"));
-  return {value, 0};
-}
-
 Estimate spectral_peak_error(const Comparison& comparison) {
   if (comparison.candidate_peaks.empty() || comparison.reference_peaks.empty())
     throw ComparisonError("one of the spectra has no peak");
@@ -70,13 +60,11 @@ Estimate band_value(const GateRow& row, const Comparison& comparison) {
                     comparison.reference, comparison.quantity));
   const TimeWindow window =
       row.part ? TimeWindow{row.part->first, row.part->second} : comparison.window;
-  const auto value = row.metric == Metric::outside_band ? share_outside : largest_excursion;
-  return {value(*comparison.margin, window), 0};
+  return {share_outside(*comparison.margin, window), 0};
 }
 
 Estimate metric_value(Metric metric, const std::string& mode, const Comparison& comparison) {
-  if (comparison.reference_is_constant && metric != Metric::mean_offset &&
-      metric != Metric::maximum_residual)
+  if (comparison.reference_is_constant && metric != Metric::mean_offset)
     throw ComparisonError(fmt::format(
         "the reference {} is constant from {} s to {} s; {} needs one that varies",
         comparison.reference, comparison.window.begin, comparison.window.end, metric_name(metric)));
@@ -95,45 +83,28 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
       // The gate judges the declared window, all of whose samples are known; the interval would
       // describe other windows.
       return {comparison.normalised_rms.value, 0};
-    case Metric::maximum_residual:
-      return {comparison.maximum_residual, 0};
-    case Metric::time_lag:
-      return {comparison.alignment.lag, 0};
     case Metric::aligned_rms:
       return {comparison.alignment.normalised_rms, 0};
-    case Metric::band_energy_error:
-      return resolved_or_refused(metric, comparison.band_energy_error.at(mode));
     case Metric::cross_correlation_lag:
       return {comparison.cross_correlation_lag_degrees, 0};
     case Metric::spectral_peak_error:
       return spectral_peak_error(comparison);
     case Metric::rms_error:
       return {comparison.candidate_wave.deviation / comparison.reference_wave.deviation - 1, 0};
-    case Metric::crest_error:
-      return resolved_or_refused(
-          metric, comparison.candidate_wave.crest / comparison.reference_wave.crest - 1);
-    case Metric::trough_error:
-      return resolved_or_refused(
-          metric, comparison.candidate_wave.trough / comparison.reference_wave.trough - 1);
     case Metric::mean_offset:
       return {comparison.candidate_wave.mean - comparison.reference_wave.mean, 0};
     case Metric::largest_magnitude:
     case Metric::noise_share:
     case Metric::initial_value:
     case Metric::plateau_error:
-    case Metric::impact_percentile:
     case Metric::impact_arrival:
-    case Metric::impact_rise_time:
     case Metric::impact_peak_error:
     case Metric::impulse_error:
     case Metric::peak_mean_p_value:
     case Metric::peak_ks_p_value:
     case Metric::peak_ad_p_value:
-    case Metric::peak_area:
     case Metric::peak_median_error:
-    case Metric::peak_p90_error:
     case Metric::outside_band:
-    case Metric::band_excursion:
     case Metric::pressure_field_rms:
     case Metric::pressure_field_tension:
     case Metric::cost_to_reach:
@@ -279,9 +250,7 @@ SampleDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence)
 double spread_of_series(const GateRow& row, const std::vector<std::string>& members,
                         const FindComparison& comparison) {
   const bool is_of_rms = row.metric == Metric::normalised_rms || row.metric == Metric::aligned_rms;
-  const bool is_of_largest = row.metric == Metric::maximum_residual ||
-                             row.metric == Metric::band_excursion ||
-                             row.metric == Metric::largest_magnitude;
+  const bool is_of_largest = row.metric == Metric::largest_magnitude;
   if (!is_of_rms && !is_of_largest) return 0;
   double squares = 0;
   for (std::size_t i = 0; i < members.size(); ++i)

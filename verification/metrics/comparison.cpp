@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numbers>
 
 #include "verification/fits/block_jackknife.hpp"
@@ -108,17 +107,6 @@ void compare_whole_window(const CommonSamples& common, int blocks, Comparison& r
                      .value = std::move(residual)};
 }
 
-void compare_waves(const CommonSamples& common, const std::vector<ToneRequest>& modes,
-                   Comparison& result) {
-  const double period = modes.empty() ? std::numeric_limits<double>::infinity()
-                                      : 2 * pi / modes.front().angular_frequency;
-  const auto statistics = [&](const std::vector<double>& value) {
-    return wave_statistics({result.quantity, result.unit, common.time, value}, period);
-  };
-  result.candidate_wave = statistics(common.candidate);
-  result.reference_wave = statistics(common.reference);
-}
-
 // The number of blocks, from the period of the slowest mode; 1 without modes.
 int blocks_of(TimeWindow window, const std::vector<ToneRequest>& modes) {
   if (modes.empty()) return 1;
@@ -139,14 +127,6 @@ void add_modes(const PreparedSeries& candidate, const PreparedSeries& reference,
   const int peaks = static_cast<int>(modes.size()) + 1;
   result.candidate_peaks = spectral_peaks(*candidate.spectrum, peaks);
   result.reference_peaks = spectral_peaks(*reference.spectrum, peaks);
-  for (const ToneRequest& mode : modes) {
-    const double frequency = mode.angular_frequency / (2 * pi);
-    const auto energy = [frequency](const Spectrum& of) {
-      return band_energy(of, 0.8 * frequency, 1.2 * frequency);
-    };
-    result.band_energy_error[mode.name] =
-        energy(*candidate.spectrum) / energy(*reference.spectrum) - 1;
-  }
 }
 
 }  // namespace
@@ -207,7 +187,8 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
                     reference.series.name));
   compare_whole_window(outside_gaps(candidate.series, samples_of_both(candidate.series, all)),
                        blocks_of(result.window, modes), result);
-  compare_waves(common, modes, result);
+  result.candidate_wave = wave_statistics(common.candidate);
+  result.reference_wave = wave_statistics(common.reference);
   if (reference.band) result.margin = band_margin(common.time, common.candidate, *reference.band);
   result.cross_correlation_lag = result.cross_correlation_lag_degrees = not_a_number;
   result.alignment = {not_a_number, not_a_number};

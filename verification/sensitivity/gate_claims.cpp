@@ -16,7 +16,7 @@
 namespace slosh {
 namespace {
 
-constexpr double counted_part = 0.9;  // of a shift, a stretch, a noise or a largest value
+constexpr double counted_part = 0.9;  // of a shift, a stretch or a noise
 constexpr double rounding = 1e-9;     // relative; a value on its bound claims nothing
 constexpr double half_turn = 180, whole_turn = 360;  // [deg]
 
@@ -62,42 +62,23 @@ double deviation_in_window(const TimeSeries& series, TimeWindow window) {
   return rms(without_mean(cut_to_window(series, window).value));
 }
 
-// A part of the largest value counts, because the metric is taken at the reference's times alone.
-double largest_in_window(const TimeSeries& series, TimeWindow window) {
-  double largest = 0;
-  for (const double value : cut_to_window(series, window).value)
-    largest = std::max(largest, std::abs(value));
-  return counted_part * largest;
-}
-
 MutationResponse response_of(const GateRow& row) { return metric_entry(row.metric).response; }
 
-std::optional<Prediction> of_scale(const GateRow& row, const JudgedCandidate& candidate,
-                                   double factor, TimeWindow window) {
-  const double e = candidate.measured;
+std::optional<Prediction> of_scale(const GateRow& row, double e, double factor) {
   switch (response_of(row)) {
     case MutationResponse::as_amplitude:
       return Prediction{(1 + e) * std::abs(factor) - 1};
-    case MutationResponse::as_energy:
-      return Prediction{(1 + e) * factor * factor - 1};
-    case MutationResponse::as_crest:  // a flipped sign turns crests into troughs
-      if (factor > 0) return Prediction{(1 + e) * factor - 1};
-      break;
     case MutationResponse::as_magnitude:
       return Prediction{std::abs(factor) * e};
     case MutationResponse::as_start:
       return Prediction{factor * e};
     case MutationResponse::as_rms_residual:
       return Prediction{std::abs(factor - 1) * (1 - e) - e, true};
-    case MutationResponse::as_largest_residual:
-      return Prediction{std::abs(factor - 1) * largest_in_window(candidate.series, window) - e,
-                        true};
     case MutationResponse::as_phase:
       if (factor < 0) return Prediction{wrap_degrees(e + half_turn)};
       break;
     case MutationResponse::as_mean:
     case MutationResponse::as_correlation:
-    case MutationResponse::as_delay:
     case MutationResponse::as_frequency:
     case MutationResponse::as_decay:
     case MutationResponse::as_noise:
@@ -108,11 +89,10 @@ std::optional<Prediction> of_scale(const GateRow& row, const JudgedCandidate& ca
   return std::nullopt;
 }
 
-std::optional<Prediction> of_shift(const GateRow& row, double e, double periods, double period) {
+std::optional<Prediction> of_shift(const GateRow& row, double e, double periods) {
   const MutationResponse response = response_of(row);
   if (response == MutationResponse::as_phase || response == MutationResponse::as_correlation)
     return Prediction{wrap_degrees(e + whole_turn * periods)};
-  if (response == MutationResponse::as_delay) return Prediction{e + periods * period};
   return std::nullopt;
 }
 
@@ -128,19 +108,14 @@ std::optional<Prediction> of_offset(const GateRow& row, double e, double offset)
 // inequality.
 std::optional<Prediction> of_residual(const GateRow& row, const JudgedCandidate& candidate,
                                       const Mutation& mutation, const MutationFrame& frame) {
-  const bool is_rms = response_of(row) == MutationResponse::as_rms_residual;
-  if (!is_rms && response_of(row) != MutationResponse::as_largest_residual) return std::nullopt;
+  if (response_of(row) != MutationResponse::as_rms_residual) return std::nullopt;
   const double e = candidate.measured;
   const std::vector<double> change =
       change_in_window(candidate.series, mutated(candidate.series, mutation, frame), frame.window);
-  if (is_rms)
-    return Prediction{
-        counted_part * rms(change) / deviation_in_window(candidate.series, frame.window) * (1 - e) -
-            e,
-        true};
-  double largest = 0;
-  for (const double one : change) largest = std::max(largest, std::abs(one));
-  return Prediction{counted_part * largest - e, true};
+  return Prediction{
+      counted_part * rms(change) / deviation_in_window(candidate.series, frame.window) * (1 - e) -
+          e,
+      true};
 }
 
 // The prediction for kinds that add something: an offset, a ramp, a part of a mode, a slow change
@@ -183,10 +158,9 @@ std::optional<Prediction> after(const GateRow& row, const JudgedCandidate& candi
                                 const Mutation& mutation, const MutationFrame& frame) {
   const double e = candidate.measured;
   const MutationResponse response = response_of(row);
-  if (const auto factor = factor_of(mutation))
-    return of_scale(row, candidate, *factor, frame.window);
+  if (const auto factor = factor_of(mutation)) return of_scale(row, e, *factor);
   if (const auto periods = change_of(mutation, MutationKind::late, MutationKind::early))
-    return of_shift(row, e, *periods, frame.period);
+    return of_shift(row, e, *periods);
   if (const auto gain = change_of(mutation, MutationKind::faster, MutationKind::slower);
       gain && response == MutationResponse::as_frequency && !is_forced(row.mode))
     return Prediction{(1 + e) * (1 + *gain) - 1};

@@ -109,7 +109,7 @@ TEST(ImpactTable, OfASingleImpactTellsItsArrivalAndItsImpulse) {
   single.plateau = single.plateau_begin = single.plateau_end = 0;
   single.arrivals = ArrivalsDefinition{.share = 0.5, .times = {2.374}};
   single.impulses = ImpulsesDefinition{.duration = 0.07, .values = {50}};
-  single.rise_times = RiseTimesDefinition{{0.001}};
+  single.rise_times = {0.001};
   definition.impacts = single;
   CaseAssessment assessment = one_run(pressure_of({.late = 0.012}), definition);
   add_run(assessment, "dry", sph, {pressure_of({.impacts = 0})});

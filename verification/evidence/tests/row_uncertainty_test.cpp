@@ -551,11 +551,6 @@ TEST(RowUncertainty, OfPublishedImpactsIsWhatTheCaseDeclares) {
     row.metric = metric;
     EXPECT_FALSE(reference().has_value()) << metric_name(metric);
   }
-  row.metric = Metric::impact_rise_time;
-  definition.impacts->rise_times = RiseTimesDefinition{{0.004, 0.005}};
-  EXPECT_FALSE(reference().has_value());
-  definition.impacts->rise_times->half_width = 0.001;
-  EXPECT_EQ(reference().value(), 0.001);
   definition.impacts->arrivals->half_width = 0.002;
   definition.impacts->peaks_half_width = 100;
   definition.impacts->impulses->half_width = 8;
@@ -595,7 +590,7 @@ TEST(RowUncertainty, OfAnEnsembleThatDrawsItsInputsCountsThemOnce) {
   row.kind = RowKind::regression;
   EXPECT_EQ(input().half_width.value(), 0);
   row.kind = RowKind::validation;
-  for (const Metric metric : {Metric::peak_area, Metric::peak_ks_p_value}) {
+  for (const Metric metric : {Metric::peak_median_error, Metric::peak_ks_p_value}) {
     row.metric = metric;
     EXPECT_EQ(input().half_width.value(), 0) << metric_name(metric);
   }

@@ -49,13 +49,6 @@ TEST(GateClaims, OfALagAreShiftsAndTheSign) {
   EXPECT_FALSE(claims(row, 0, MutationKind::louder, 0.2));
 }
 
-TEST(GateClaims, OfATimeLagAreInSeconds) {
-  const GateRow row = row_of(Metric::time_lag, 0.1, "whole");
-  EXPECT_TRUE(claims(row, 0, MutationKind::late, 0.1));
-  EXPECT_FALSE(claims(row, 0, MutationKind::late, 0.05));
-  EXPECT_TRUE(claims(row, -0.09, MutationKind::early, 0.01));
-}
-
 TEST(GateClaims, OfAFrequencyAreOfARefinedModeAlone) {
   EXPECT_TRUE(
       claims(row_of(Metric::frequency_error, 0.01, "natural_1"), 0, MutationKind::faster, 0.02));
@@ -74,9 +67,6 @@ TEST(GateClaims, OfAResidualAreWhatTheTriangleInequalityLeaves) {
   EXPECT_TRUE(claims(rms, 0.06, MutationKind::noisy, 0.5));
   EXPECT_FALSE(claims(rms, 0.06, MutationKind::noisy, 0.1));
   EXPECT_FALSE(claims(rms, 2, MutationKind::sign_flipped));  // nothing is left of it
-  const GateRow largest = row_of(Metric::maximum_residual, 0.003, "whole");
-  EXPECT_TRUE(claims(largest, 0.0005, MutationKind::louder, 0.2));  // 0.2 * 0.018 - 0.0005
-  EXPECT_FALSE(claims(largest, 0.0005, MutationKind::louder, 0.1));
 }
 
 TEST(GateClaims, OfAMeanOffsetAreTheDatumAndADrift) {
@@ -99,9 +89,6 @@ TEST(GateClaims, OfASeriesThatIsAddedAreWhatTheTriangleInequalityLeaves) {
   EXPECT_FALSE(claims(rms, 0.04, MutationKind::drifting, 0.1));
   EXPECT_TRUE(claims(rms, 0.04, MutationKind::chirped, 0.2));
   EXPECT_FALSE(claims(rms, 0.04, MutationKind::chirped, 0.02));
-  const GateRow largest = row_of(Metric::maximum_residual, 0.005, "whole");
-  EXPECT_TRUE(claims(largest, 0.0005, MutationKind::raised, 0.02));
-  EXPECT_FALSE(claims(largest, 0.0005, MutationKind::raised, 0.01));
 }
 
 TEST(GateClaims, OfASlowChangeOfFrequencyAreAThirdOfItsTurn) {
@@ -154,15 +141,9 @@ TEST(GateClaims, OfTheStartFollowTheDatum) {
 }
 
 TEST(GateClaims, OfWaveStatisticsFollowTheScaleAndTheNoise) {
-  const GateRow energy = row_of(Metric::band_energy_error, 0.2);
-  EXPECT_TRUE(claims(energy, 0, MutationKind::louder, 0.1));  // 1.21
-  EXPECT_FALSE(claims(energy, 0, MutationKind::louder, 0.09));
-  for (const Metric metric : {Metric::rms_error, Metric::crest_error, Metric::trough_error}) {
-    const GateRow row = row_of(metric, 0.05, "whole");
-    EXPECT_TRUE(claims(row, 0, MutationKind::louder, 0.06));
-    EXPECT_FALSE(claims(row, 0.01, MutationKind::louder, 0.03));
-  }
-  EXPECT_FALSE(claims(row_of(Metric::crest_error, 0.05), 0, MutationKind::sign_flipped));
+  const GateRow row = row_of(Metric::rms_error, 0.05, "whole");
+  EXPECT_TRUE(claims(row, 0, MutationKind::louder, 0.06));
+  EXPECT_FALSE(claims(row, 0.01, MutationKind::louder, 0.03));
   const GateRow noise = row_of(Metric::noise_share, 0.05, "whole");
   EXPECT_TRUE(claims(noise, 0.001, MutationKind::noisy, 0.1));
   EXPECT_FALSE(claims(noise, 0.001, MutationKind::noisy, 0.05));
