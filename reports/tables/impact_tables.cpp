@@ -24,6 +24,11 @@ std::string pressure_word(const std::string& quantity) {
   return is_filtered(quantity) ? "filtered" : "unfiltered";
 }
 
+std::string rise_text(const RiseTimesDefinition& published, std::size_t n) {
+  return fmt::format("{:.4f}", published.values[n]) +
+         (published.half_width ? fmt::format(" ± {:.4f}", *published.half_width) : "");
+}
+
 Row published_row(const ImpactsDefinition& impacts) {
   const bool has_spread = !impacts.peak_deviations.empty();
   Row row{"published", has_spread ? "mean ± sd of the repeats" : "as published"};
@@ -32,8 +37,8 @@ Row published_row(const ImpactsDefinition& impacts) {
     row.push_back(has_spread ? fmt::format("{:.0f} ± {:.0f}", impacts.peak_means[n],
                                            impacts.peak_deviations[n])
                              : fmt::format("{:.0f}", impacts.peak_means[n]));
-    row.push_back(!impacts.rise_times.empty() ? fmt::format("{:.4f}", impacts.rise_times[n])
-                                              : std::string("not published"));
+    row.push_back(impacts.rise_times ? rise_text(*impacts.rise_times, n)
+                                     : std::string("not published"));
     if (impacts.arrivals) row.push_back(fmt::format("{:.4f}", impacts.arrivals->times[n]));
     if (impacts.impulses) row.push_back(fmt::format("{:.0f}", impacts.impulses->values[n]));
   }
@@ -66,8 +71,8 @@ std::string rise_cell(const TimeSeries& pressure, const ImpactPeak& peak, std::s
   const std::optional<double> rise = rise_time(pressure, peak);
   if (!rise) return "no rise from half the peak";
   return fmt::format("{:.4f}", *rise) +
-         (!impacts.rise_times.empty()
-              ? fmt::format(" ({:+.4f})", round_to_place(*rise - impacts.rise_times[n], -4))
+         (impacts.rise_times
+              ? fmt::format(" ({:+.4f})", round_to_place(*rise - impacts.rise_times->values[n], -4))
               : "");
 }
 

@@ -427,6 +427,12 @@ struct ArrivalsDefinition {
   std::optional<double> half_width = {};  // [s], of the 95 % interval of the times, if published
 };
 
+// The published rise times of impacts (rise_time() of series/impact_peaks.hpp).
+struct RiseTimesDefinition {
+  std::vector<double> values;             // [s], by impact
+  std::optional<double> half_width = {};  // [s], of their 95 % interval, if published
+};
+
 // The published impulses: the integral of the pressure over a time after the arrival.
 struct ImpulsesDefinition {
   double duration;                        // [s], from the arrival on
@@ -456,8 +462,7 @@ struct ImpactsDefinition {
   std::string source;
   std::optional<ArrivalsDefinition> arrivals = {};
   std::optional<ImpulsesDefinition> impulses = {};
-  // [s], by impact (rise_time() of series/impact_peaks.hpp), if published, else empty
-  std::vector<double> rise_times = {};
+  std::optional<RiseTimesDefinition> rise_times = {};
 };
 
 struct CaseDefinition {

@@ -275,6 +275,8 @@ const std::vector<KeyTable>& case_key_tables() {
         {"rise_times_s", "list of numbers > 0, s", "no",
          "The published rise times, twice the time from half the peak to the peak, for the "
          "tables: as many as times_s."},
+        {"rise_times_half_width_s", "number > 0, s", "no",
+         "Half the 95 % interval of the rise times."},
         {"impulse_duration_s", "number > 0, s", "with impulses_Pa_s",
          "The time from the arrival on over which the impulse is taken."},
         {"impulses_Pa_s", "list of numbers > 0, Pa s", "with impulse_duration_s",

@@ -90,6 +90,15 @@ void read_arrivals(const TomlTable& impacts, ImpactsDefinition& read) {
                          impacts.find("impulses_half_width_Pa_s", positive("Pa s"))};
 }
 
+void read_rise_times(const TomlTable& impacts, ImpactsDefinition& read) {
+  if (impacts.has("rise_times_s"))
+    read.rise_times =
+        RiseTimesDefinition{read_of_each_impact(impacts, "rise_times_s", "s", read.times.size()),
+                            impacts.find("rise_times_half_width_s", positive("s"))};
+  else if (impacts.has("rise_times_half_width_s"))
+    impacts.refuse("rise_times_half_width_s", "no such key without rise_times_s");
+}
+
 void read_repeats(const TomlTable& impacts, const std::filesystem::path& experiments,
                   ImpactsDefinition& read) {
   const auto table = impacts.find("peak_table", path_below_experiments("a peak table's"));
@@ -247,8 +256,7 @@ ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& d
   read.peaks_half_width = impacts.find("peaks_half_width_Pa", positive("Pa"));
   read_plateau(impacts, definition.duration, read);
   read_arrivals(impacts, read);
-  if (impacts.has("rise_times_s"))
-    read.rise_times = read_of_each_impact(impacts, "rise_times_s", "s", read.times.size());
+  read_rise_times(impacts, read);
   read_repeats(impacts, experiments, read);
   read.source = impacts.get("source", any_text());
   return read;

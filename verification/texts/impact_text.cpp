@@ -29,7 +29,7 @@ std::vector<ImpactNumbers> published_numbers(const ImpactsDefinition& impacts) {
   std::vector<ImpactNumbers> all;
   for (std::size_t n = 0; n < impacts.times.size(); ++n) {
     ImpactNumbers one{.peak = ImpactPeak{impacts.times[n], impacts.peak_means[n]}};
-    if (!impacts.rise_times.empty()) one.rise_time = impacts.rise_times[n];
+    if (impacts.rise_times) one.rise_time = impacts.rise_times->values[n];
     if (impacts.arrivals) one.arrival = impacts.arrivals->times[n];
     if (impacts.impulses) one.impulse = impacts.impulses->values[n];
     all.push_back(one);

@@ -271,6 +271,7 @@ arrivals_half_width_s = 0.001
 impulse_duration_s = 0.07
 impulses_Pa_s = [120]
 rise_times_s = [0.004]
+rise_times_half_width_s = 0.0005
 source = "a paper"
 )";
 
@@ -286,7 +287,8 @@ TEST(Impacts, MayBeASingleOneWithItsArrivalAndItsImpulse) {
   EXPECT_EQ(read.impulses->duration, 0.07);
   EXPECT_EQ(read.impulses->values, std::vector<double>{120});
   EXPECT_FALSE(read.impulses->half_width);
-  EXPECT_EQ(read.rise_times, std::vector<double>{0.004});
+  EXPECT_EQ(read.rise_times.value().values, std::vector<double>{0.004});
+  EXPECT_EQ(read.rise_times->half_width, 0.0005);
 }
 
 TEST(Impacts, AreRefusedWhereASingleOneIsMistaken) {
@@ -305,6 +307,8 @@ TEST(Impacts, AreRefusedWhereASingleOneIsMistaken) {
             std::string::npos);
   EXPECT_NE(said("arrival_share = 0.3\narrivals_s = [2.36]\n", "")
                 .find("no such key without arrival_share and arrivals_s"),
+            std::string::npos);
+  EXPECT_NE(said("rise_times_s = [0.004]\n", "").find("no such key without rise_times_s"),
             std::string::npos);
   EXPECT_NE(said("[0.004]", "[0]").find("impacts.rise_times_s = 0: expected a number > 0, in s"),
             std::string::npos);

@@ -12,7 +12,7 @@ CaseDefinition published_case() {
   CaseDefinition definition = impact_case();
   definition.impacts->arrivals = ArrivalsDefinition{0.5, definition.impacts->times};
   definition.impacts->impulses = ImpulsesDefinition{0.05, {50, 51, 52, 53}};
-  definition.impacts->rise_times = {0.003, 0.004, 0.005, 0.006};
+  definition.impacts->rise_times = RiseTimesDefinition{{0.003, 0.004, 0.005, 0.006}};
   return definition;
 }
 
