@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <stdexcept>
 
 #include "verification/case/metric_table.hpp"
 #include "verification/case/quantities.hpp"
+#include "verification/gate/gate.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/metrics/ensemble_mean.hpp"
 
@@ -51,6 +53,10 @@ Estimate spectral_peak_error(const Comparison& comparison) {
       0};
 }
 
+TimeWindow window_of(const GateRow& row, const Comparison& comparison) {
+  return row.part ? TimeWindow{row.part->first, row.part->second} : comparison.window;
+}
+
 // The metric holds for the declared window or its declared part alone, like normalised_rms.
 Estimate band_value(const GateRow& row, const Comparison& comparison) {
   if (!comparison.margin)
@@ -58,9 +64,7 @@ Estimate band_value(const GateRow& row, const Comparison& comparison) {
         fmt::format("{} has no band for {}; expected a record with lower_column "
                     "and upper_column",
                     comparison.reference, comparison.quantity));
-  const TimeWindow window =
-      row.part ? TimeWindow{row.part->first, row.part->second} : comparison.window;
-  return {share_outside(*comparison.margin, window), 0};
+  return {share_outside(*comparison.margin, window_of(row, comparison)), 0};
 }
 
 Estimate metric_value(Metric metric, const std::string& mode, const Comparison& comparison) {
@@ -183,44 +187,107 @@ void add_doubt(const std::string& text, SampleDoubts& found) {
   found.keep_from_passing = true;
 }
 
+// Throws ComparisonError below least_coverage.
+void add_coverage(double covered, SampleDoubts& found) {
+  if (covered >= 1) return;
+  if (covered < least_coverage)
+    throw ComparisonError(
+        fmt::format("the samples cover {:.2g} % of the window; expected half of it or more, or a "
+                    "window of [comparison] in which they lie",
+                    100 * covered));
+  found.text +=
+      fmt::format("; over {:.2g} % of the window, which the samples cover", 100 * covered);
+}
+
 void add_doubtful(const std::vector<std::string>& doubts, SampleDoubts& found) {
   if (!doubts.empty()) add_doubt(fmt::format("doubtful: {}", fmt::join(doubts, "; ")), found);
 }
 
+// Whether the row's bounds are narrower than ten steps of the readings. Of a part of the wave a
+// step counts over the reference's deviation.
+bool are_coarse_for(const GateRow& row, const SensorReadings& of, double deviation) {
+  if (row.improves_on) return true;
+  const AllowedRange allowed = allowed_by(row);
+  double width = (allowed.upper - allowed.lower) / 2;
+  if (row.unit == "1")
+    width *= deviation;
+  else if (row.unit == "deg")
+    width *= deviation * std::numbers::pi / 180;
+  else if (row.unit != of.unit)
+    return true;
+  return !(width >= 10 * *of.limits.step);
+}
+
+std::vector<std::string> reading_doubts(const GateRow& row, const Comparison& pair) {
+  std::vector<std::string> doubts = pair.doubts;
+  for (const SensorReadings& one : pair.in_steps)
+    if (are_coarse_for(row, one, pair.reference_wave.deviation)) doubts.push_back(step_doubt(one));
+  return doubts;
+}
+
+// What stands still must not be within the row's bounds. Where the metric of nothing is one value,
+// these never hold it (WidestBound); of the two others it is that of the reference.
+std::string met_by_nothing(const GateRow& row, const Comparison& pair) {
+  if (row.improves_on) return "";
+  const AllowedRange allowed = allowed_by(row);
+  const auto holds = [&](double value) { return allowed.lower <= value && value <= allowed.upper; };
+  const double reach = pair.largest_departure;
+  if (row.metric == Metric::mean_offset && !pair.reference_is_constant && reach > 0 &&
+      (holds(reach) || holds(-reach)))
+    return fmt::format(
+        "the bounds hold {:.3g} {}, the offset of a candidate that stays at the "
+        "reference's farthest value",
+        reach, pair.unit);
+  if (!pair.margin_of_nothing) return "";
+  const double outside = share_outside(*pair.margin_of_nothing, window_of(row, pair));
+  return row.metric == Metric::outside_band && holds(outside)
+             ? fmt::format("the bounds hold {:.3g} %, the share of a candidate of zeros",
+                           100 * outside)
+             : "";
+}
+
 void add_doubts_of_pairs(const GateRow& row, const GateEvidence& evidence, SampleDoubts& found) {
-  const Comparison *unseen = nullptr, *doubtful = nullptr, *barest = nullptr;
+  const Comparison *unseen = nullptr, *barest = nullptr;
+  std::vector<std::string> doubtful;
   for (const std::string& candidate : ensemble_of(row.candidate, evidence).members)
     for (const std::string& reference : reference_of(row, evidence).members) {
       const Comparison& pair = evidence.comparison(candidate, reference, row.quantity);
       if (pair.unseen && !(unseen && unseen->unseen->departure >= pair.unseen->departure))
         unseen = &pair;
-      if (!doubtful && !pair.doubts.empty()) doubtful = &pair;
+      if (doubtful.empty()) doubtful = reading_doubts(row, pair);
       if (!barest || pair.covered < barest->covered) barest = &pair;
     }
   if (unseen && metric_entry(row.metric).fitted == FittedTones::none)
     add_doubt(unseen_text(*unseen->unseen, unseen->unit), found);
-  if (doubtful) add_doubtful(doubtful->doubts, found);
-  if (barest->covered >= 1) return;
-  if (barest->covered < least_coverage)
-    throw ComparisonError(
-        fmt::format("the samples cover {:.2g} % of the window; expected half of it or more, or a "
-                    "window of [comparison] in which they lie",
-                    100 * barest->covered));
-  found.text +=
-      fmt::format("; over {:.2g} % of the window, which the samples cover", 100 * barest->covered);
+  if (const std::string met = met_by_nothing(row, *barest); !met.empty()) doubtful.push_back(met);
+  add_doubtful(doubtful, found);
+  add_coverage(barest->covered, found);
 }
 
 // What a run records beside the compared quantities need not be what a sensor reads.
 void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
                              SampleDoubts& found) {
   const FindHistory& find = is_of_impacts(row.metric) ? evidence.history : evidence.series;
-  if (!find || !find_quantity(row.quantity)) return;
+  if (!find) return;
+  std::vector<std::string> doubts;
+  double covered = 1;
   for (const std::string& run : ensemble_of(row.candidate, evidence).members) {
     const TimeSeries series = find(run, row.quantity);
-    const std::vector<std::string> doubts =
-        reading_doubts({"candidate", series.unit, sensor_limits(series)});
-    if (!doubts.empty()) return add_doubtful(doubts, found);
+    if (series.time.size() < 2) continue;  // refused by its metric
+    covered = std::min(covered, covered_share(series, {series.time.front(), series.time.back()}));
+    if (!doubts.empty()) continue;
+    if (const auto gap = longest_gap(series))
+      doubts.push_back(fmt::format("the candidate has no sample between {:.4g} and {:.4g} s",
+                                   gap->begin, gap->end));
+    if (!find_quantity(row.quantity)) continue;
+    SensorReadings readings{"candidate", series.unit, sensor_limits(series)};
+    readings.limits.lowest.reset();
+    std::ranges::move(flat_doubts(readings), std::back_inserter(doubts));
+    if (readings.limits.step && are_coarse_for(row, readings, 0))
+      doubts.push_back(step_doubt(readings));
   }
+  add_doubtful(doubts, found);
+  add_coverage(covered, found);
 }
 
 }  // namespace

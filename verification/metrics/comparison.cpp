@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "verification/fits/block_jackknife.hpp"
+#include "verification/series/sample_moments.hpp"
 #include "verification/series/time_series.hpp"
 #include "verification/series/windowed_series.hpp"
 
@@ -139,7 +140,8 @@ PreparedSeries::PreparedSeries(const std::string& role, TimeSeries of, TimeWindo
       modes(std::move(requests)),
       cut(cut_to_window(series, window)),
       constant(is_constant(cut)),
-      readings{role, series.unit, sensor_limits(cut)},
+      readings{role, series.unit, sensor_limits(cut),
+               series.unit == "Pa" ? std::vector<double>{0} : std::vector<double>{}},
       covered(covered_share(series, window)) {
   if (modes.empty() || constant) return;
   require_resolved(window, modes);
@@ -175,9 +177,10 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
   result.unseen = unseen_interval(candidate.series, all);
   result.covered = std::min(candidate.covered, reference.covered);
   if (!reference.constant) {
-    result.doubts = reading_doubts(reference.readings, candidate.readings);
-    std::ranges::move(reading_doubts(candidate.readings, reference.readings),
-                      std::back_inserter(result.doubts));
+    for (const SensorReadings& one : {reference.readings, candidate.readings}) {
+      std::ranges::move(flat_doubts(one), std::back_inserter(result.doubts));
+      if (one.limits.step) result.in_steps.push_back(one);
+    }
   }
   const CommonSamples common = outside_gaps(candidate.series, all);
   if (common.time.size() < 2)
@@ -189,7 +192,13 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
                        blocks_of(result.window, modes), result);
   result.candidate_wave = wave_statistics(common.candidate);
   result.reference_wave = wave_statistics(common.reference);
-  if (reference.band) result.margin = band_margin(common.time, common.candidate, *reference.band);
+  for (const double value : without_mean(common.reference))
+    result.largest_departure = std::max(result.largest_departure, std::abs(value));
+  if (reference.band) {
+    result.margin = band_margin(common.time, common.candidate, *reference.band);
+    result.margin_of_nothing =
+        band_margin(common.time, std::vector<double>(common.time.size()), *reference.band);
+  }
   result.cross_correlation_lag = result.cross_correlation_lag_degrees = not_a_number;
   result.alignment = {not_a_number, not_a_number};
   if (reference.constant) {

@@ -82,6 +82,7 @@ struct Comparison {
   std::optional<UnseenInterval> unseen;  // what the samples do not tell
   double covered = 1;                    // the share of the asked window that both cover
   std::vector<std::string> doubts;       // about the readings of both (reading_doubts.hpp)
+  std::vector<SensorReadings> in_steps;  // those of both that have a step
   std::vector<ModeComparison> modes;     // the modes asked for; empty for Detail::spectrum_alone
   // Over the whole window; intervals by block_jackknife.hpp, unknown without modes.
   Estimate normalised_rms;  // rms(c - r) / rms(r - mean r)
@@ -94,8 +95,10 @@ struct Comparison {
   // Of both at the reference's times inside the window.
   WaveStatistics candidate_wave, reference_wave;
   TimeSeries residual;  // c - r inside the window, at the times of samples_of_both()
-  // The candidate's margin in the reference's band (quantile_band.hpp); nullopt without a band.
-  std::optional<TimeSeries> margin;
+  // The candidate's margin in the reference's band (quantile_band.hpp), and that of a candidate of
+  // zeros; nullopt without a band.
+  std::optional<TimeSeries> margin, margin_of_nothing;
+  double largest_departure = 0;  // of the reference from its mean, in the quantity's unit
   // One more than there are modes, highest first; empty without modes.
   std::vector<SpectralPeak> candidate_peaks, reference_peaks;
 };

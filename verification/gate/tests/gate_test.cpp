@@ -302,6 +302,41 @@ TEST(Gate, DoesNotCompareAModeThatIsNotResolved) {
             std::string::npos);
 }
 
+TEST(Gate, DoesNotPassABoundThatACandidateOfNothingMeets) {
+  Comparison comparison = comparison_of(0);
+  comparison.largest_departure = 0.01;
+  EXPECT_EQ(judge(row_of(Metric::mean_offset, "whole", "m", 0.009), comparison).verdict,
+            Verdict::pass);
+  const GateOutcome wide = judge(row_of(Metric::mean_offset, "whole", "m", 0.5), comparison);
+  EXPECT_EQ(wide.verdict, Verdict::inconclusive);
+  EXPECT_NE(wide.message.find("the bounds hold 0.01 m, the offset of a candidate that stays"),
+            std::string::npos)
+      << wide.message;
+  comparison.window = {0, 1};
+  comparison.margin = TimeSeries{"margin", "m", {0, 1}, {1, 1}};
+  for (const bool is_held : {true, false}) {
+    const double nothing = is_held ? 1 : -1;
+    comparison.margin_of_nothing = TimeSeries{"margin", "m", {0, 1}, {nothing, nothing}};
+    EXPECT_EQ(judge(row_of(Metric::outside_band, "whole", "1", 0.2), comparison).verdict,
+              is_held ? Verdict::inconclusive : Verdict::pass);
+  }
+}
+
+TEST(Gate, DoubtsStepsOfMoreThanATenthOfTheBounds) {
+  Comparison comparison = comparison_of(0);
+  SensorLimits limits;
+  limits.range = 4;
+  limits.step = 0.04;
+  comparison.in_steps = {{"candidate", "m", limits}};
+  const auto verdict = [&](const GateRow& row) { return judge(row, comparison).verdict; };
+  EXPECT_EQ(verdict(row_of(Metric::mean_offset, "whole", "m", 0.41)), Verdict::pass);
+  EXPECT_EQ(verdict(row_of(Metric::mean_offset, "whole", "m", 0.39)), Verdict::inconclusive);
+  EXPECT_EQ(verdict(row_of(Metric::amplitude_error, "forced", "1", 0.21)), Verdict::pass);
+  EXPECT_EQ(verdict(row_of(Metric::amplitude_error, "forced", "1", 0.19)), Verdict::inconclusive);
+  EXPECT_EQ(verdict(row_of(Metric::phase_lag, "forced", "deg", 12)), Verdict::pass);
+  EXPECT_EQ(verdict(row_of(Metric::phase_lag, "forced", "deg", 11)), Verdict::inconclusive);
+}
+
 TEST(Gate, TakesNoDecayErrorAgainstAReferenceWhoseDecayIsWithinItsInterval) {
   const GateRow row = row_of(Metric::decay_error, "natural_1", "1", 0.4);
   Comparison comparison = comparison_of(0);
@@ -680,6 +715,28 @@ TEST_F(GateOnOwnSeries, DoesNotJudgeALimitInAnotherUnit) {
   row.unit = "m";
   EXPECT_EQ(judge_series(gap()).verdict, Verdict::not_compared);
   EXPECT_EQ(judge_series(gap()).message, "largest_magnitude is in 1, the row's limit in m");
+}
+
+TEST_F(GateOnOwnSeries, DoesNotPassWithAHoleAndSaysWhatTheSamplesCover) {
+  const auto without = [](std::size_t begin, std::size_t end) {
+    TimeSeries series = gap();
+    const auto cut = [&](std::vector<double>& of) {
+      of.erase(of.begin() + static_cast<std::ptrdiff_t>(begin),
+               of.begin() + static_cast<std::ptrdiff_t>(end));
+    };
+    cut(series.time);
+    cut(series.value);
+    return series;
+  };
+  const std::size_t count = gap().time.size();
+  const GateOutcome few = judge_series(without(count / 2, count / 2 + 12));
+  EXPECT_EQ(few.verdict, Verdict::inconclusive) << few.message;
+  EXPECT_NE(few.message.find("the candidate has no sample between"), std::string::npos);
+  const GateOutcome many = judge_series(without(count / 2, 8 * count / 10));
+  EXPECT_EQ(many.verdict, Verdict::inconclusive) << many.message;
+  EXPECT_NE(many.message.find("% of the window, which the samples cover"), std::string::npos)
+      << many.message;
+  EXPECT_EQ(judge_series(without(count / 5, 9 * count / 10)).verdict, Verdict::not_compared);
 }
 
 TEST_F(GateOnOwnSeries, FailsWithItsSolver) {
