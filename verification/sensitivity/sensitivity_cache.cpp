@@ -137,6 +137,7 @@ std::string SensitivityCache::evidence_of(const CaseAssessment& assessment) cons
     evidence.add(static_cast<double>(input));
     evidence.add(bounds.lower);
     evidence.add(bounds.upper);
+    for (const RunResult& one : bounds.between) evidence.add(one);
   }
   return evidence.digits();
 }
