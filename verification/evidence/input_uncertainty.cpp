@@ -57,7 +57,7 @@ const InputBounds& bounds_of(const CaseDefinition& definition, const CaseRuns& r
 
 // Where the response turns between the bounds, theory shows it at these shares of the half width,
 // which no whole number of periods hits all.
-constexpr double between_bounds[] = {-0.618, -0.382, 0.382, 0.618};
+constexpr double between_bounds[] = {-0.618, 0.382};
 
 // Two runs at the bounds do not show it: their half width may be a twentieth of what the response
 // can turn within. That to the others is monotone.

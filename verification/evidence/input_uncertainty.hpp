@@ -3,7 +3,7 @@
 //   u_input^2 = sum over inputs of max over s of |m(x + s u) - m(x)|^2
 // u is the half width that the case declares for the input x, and m is the row's metric, measured
 // with a prediction for the tank with that input in the place of the candidate, at both bounds, s =
-// -1 and 1, and of theory at four places between them too, where a periodic response turns. Runs
+// -1 and 1, and of theory at two places between them too, where a periodic response turns. Runs
 // are made at the bounds alone, so that their interval must be short (a twentieth of what the
 // response turns within). A central difference would be zero where m is a magnitude, such as
 // normalised_rms, with its least value at x. The prediction comes from the case's first theory of

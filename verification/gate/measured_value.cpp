@@ -226,18 +226,19 @@ std::vector<std::string> reading_doubts(const GateRow& row, const Comparison& pa
 }
 
 // What stands still must not be within the row's bounds. Where the metric of nothing is one value,
-// these never hold it (WidestBound); of the two others it is that of the reference.
+// these never hold it (WidestBound). An offset of the wave's height is one of nothing that swings,
+// and the share outside a band is that of zeros.
 std::string met_by_nothing(const GateRow& row, const Comparison& pair) {
   if (row.improves_on) return "";
   const AllowedRange allowed = allowed_by(row);
   const auto holds = [&](double value) { return allowed.lower <= value && value <= allowed.upper; };
-  const double reach = pair.largest_departure;
-  if (row.metric == Metric::mean_offset && !pair.reference_is_constant && reach > 0 &&
-      (holds(reach) || holds(-reach)))
+  const double height = 2 * pair.largest_departure;
+  if (row.metric == Metric::mean_offset && !pair.reference_is_constant && height > 0 &&
+      (holds(height) || holds(-height)))
     return fmt::format(
-        "the bounds hold {:.3g} {}, the offset of a candidate that stays at the "
-        "reference's farthest value",
-        reach, pair.unit);
+        "the bounds hold {:.3g} {}, twice the reference's largest departure from its "
+        "mean: a candidate that does not move meets them wherever it stays",
+        height, pair.unit);
   if (!pair.margin_of_nothing) return "";
   const double outside = share_outside(*pair.margin_of_nothing, window_of(row, pair));
   return row.metric == Metric::outside_band && holds(outside)

@@ -451,10 +451,12 @@ TEST(RowUncertainty, OfAnInputSeesWhatTurnsBetweenItsBounds) {
   for (const double turns : {360.0, 720.0, 1080.0}) {
     OfARecord row(Metric::phase_lag, "forced", "deg", 5, 0);
     row.definition.start = Start::tank;
+    std::get<LinearRun>(row.definition.runs.at(0).solver).modes = 10;
     row.definition.inputs = {{Input::start_phase, turns, "nobody"}};
     EXPECT_GT(row.contributions().input.known(), 50) << turns;
   }
   OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0);
+  std::get<LinearRun>(row.definition.runs.at(0).solver).modes = 10;
   row.definition.gauges.at(0).x = 0.5 * row.definition.tank.length;
   row.definition.inputs = {{Input::sensor_position, 0.49 * row.definition.tank.length, "nobody"}};
   EXPECT_GT(row.contributions().input.known(), 0.5);
