@@ -8,10 +8,10 @@
 #include <iterator>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "verification/case/metric_table.hpp"
 #include "verification/case/quantities.hpp"
-#include "verification/gate/gate.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/metrics/ensemble_mean.hpp"
 
@@ -203,12 +203,17 @@ void add_doubtful(const std::vector<std::string>& doubts, SampleDoubts& found) {
   if (!doubts.empty()) add_doubt(fmt::format("doubtful: {}", fmt::join(doubts, "; ")), found);
 }
 
+// Of a row with bounds.
+std::pair<double, double> bounds_of(const GateRow& row) {
+  return row.limit ? std::pair{-*row.limit, *row.limit} : row.between.value();
+}
+
 // Whether the row's bounds are narrower than ten steps of the readings. Of a part of the wave a
 // step counts over the reference's deviation.
 bool are_coarse_for(const GateRow& row, const SensorReadings& of, double deviation) {
   if (row.improves_on) return true;
-  const AllowedRange allowed = allowed_by(row);
-  double width = (allowed.upper - allowed.lower) / 2;
+  const auto [lower, upper] = bounds_of(row);
+  double width = (upper - lower) / 2;
   if (row.unit == "1")
     width *= deviation;
   else if (row.unit == "deg")
@@ -230,8 +235,8 @@ std::vector<std::string> reading_doubts(const GateRow& row, const Comparison& pa
 // and the share outside a band is that of zeros.
 std::string met_by_nothing(const GateRow& row, const Comparison& pair) {
   if (row.improves_on) return "";
-  const AllowedRange allowed = allowed_by(row);
-  const auto holds = [&](double value) { return allowed.lower <= value && value <= allowed.upper; };
+  const std::pair<double, double> bounds = bounds_of(row);
+  const auto holds = [&](double value) { return bounds.first <= value && value <= bounds.second; };
   const double height = 2 * pair.largest_departure;
   if (row.metric == Metric::mean_offset && !pair.reference_is_constant && height > 0 &&
       (holds(height) || holds(-height)))
