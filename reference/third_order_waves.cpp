@@ -134,7 +134,7 @@ ThirdOrderRecord third_order_waves(const ThirdOrderWaves& waves, const std::vect
     const double step = steps > 0 ? (time - t) / steps : 0;
     for (int i = 0; i < steps; ++i, t += step) {
       linear = of_tank.after(linear, t, step, true);
-      all = of_tank.after(all, t, step, false);
+      all = waves.linear_alone ? linear : of_tank.after(all, t, step, false);
     }
     t = time;
     const VectorXd here = shapes * linear.elevation, there = shapes * all.elevation;

@@ -27,6 +27,7 @@ struct ThirdOrderWaves {
   double initial_velocity = 0;  // of the tank in a liquid at rest in the earth's frame [m/s]
   InitialWave initial_wave = {1, 0};
   double kinematic_viscosity = 0;  // [m2/s]: each mode decays at the rate 2 nu k^2
+  bool linear_alone = false;       // leaves `beyond` at zero, for a fraction of the time
 };
 
 struct ThirdOrderRecord {

@@ -24,6 +24,11 @@ std::string pressure_word(const std::string& quantity) {
   return is_filtered(quantity) ? "filtered" : "unfiltered";
 }
 
+std::string rise_text(const RiseTimesDefinition& published, std::size_t n) {
+  return fmt::format("{:.4f}", published.values[n]) +
+         (published.half_width ? fmt::format(" ± {:.4f}", *published.half_width) : "");
+}
+
 Row published_row(const ImpactsDefinition& impacts) {
   const bool has_spread = !impacts.peak_deviations.empty();
   Row row{"published", has_spread ? "mean ± sd of the repeats" : "as published"};
@@ -32,7 +37,7 @@ Row published_row(const ImpactsDefinition& impacts) {
     row.push_back(has_spread ? fmt::format("{:.0f} ± {:.0f}", impacts.peak_means[n],
                                            impacts.peak_deviations[n])
                              : fmt::format("{:.0f}", impacts.peak_means[n]));
-    row.push_back(impacts.rise_times ? fmt::format("{:.4f}", impacts.rise_times->values[n])
+    row.push_back(impacts.rise_times ? rise_text(*impacts.rise_times, n)
                                      : std::string("not published"));
     if (impacts.arrivals) row.push_back(fmt::format("{:.4f}", impacts.arrivals->times[n]));
     if (impacts.impulses) row.push_back(fmt::format("{:.0f}", impacts.impulses->values[n]));
@@ -184,10 +189,7 @@ const Row repeat_columns{"repeats",
                          "mean [Pa]",
                          "sd [Pa]",
                          "central 90 % [Pa]",
-                         "area metric [Pa]",
-                         "area metric [% of mean]",
                          "median over the experiment's",
-                         "quantile of 90 % over the experiment's",
                          "p (means)",
                          "p (KS)",
                          "p (AD)",
@@ -213,23 +215,13 @@ Row experiment_row(const CaseDefinition& definition, std::size_t impact) {
 }
 
 // What the peaks are against those of the experiment's repeats.
-Row against_repeats(const CaseDefinition& definition, const Distribution& peaks,
-                    const PeakSample& sample, std::size_t impact) {
+Row against_repeats(const CaseDefinition& definition, const PeakSample& sample,
+                    std::size_t impact) {
   if (definition.impacts->repeats.empty()) return {"not supplied"};
-  const Distribution experiment = repeated_peaks(definition, impact);
-  const double area = area_metric(peaks, experiment);
-  const std::string in_pascal = fmt::format("{:.0f}", area);
   const auto found = against_experiment(definition, sample, impact);
-  if (!found)
-    return {in_pascal, fmt::format("{:.0f}", 100 * area / experiment.mean()),
-            "fewer than 20 peaks"};
-  return {in_pascal,
-          area_text(*found),
-          median_ratio_text(*found),
-          p90_ratio_text(*found),
-          fmt::format("{:.2g}", found->mean_p.value),
-          fmt::format("{:.2g}", found->ks_p.value),
-          fmt::format("{:.2g}", found->ad_p.value)};
+  if (!found) return {"fewer than 20 peaks"};
+  return {median_ratio_text(*found), fmt::format("{:.2g}", found->mean_p.value),
+          fmt::format("{:.2g}", found->ks_p.value), fmt::format("{:.2g}", found->ad_p.value)};
 }
 
 Row run_row(const CaseAssessment& assessment, const Repeats& repeats, const std::string& pressure,
@@ -241,7 +233,7 @@ Row run_row(const CaseAssessment& assessment, const Repeats& repeats, const std:
           fmt::format("{} of {}", sample.peaks.size(), sample.usable)};
   if (!sample.peaks.empty()) {
     const Distribution peaks("peaks of " + repeats.front()->name, sample.peaks);
-    for (const Row& part : {moments(peaks), against_repeats(definition, peaks, sample, impact)})
+    for (const Row& part : {moments(peaks), against_repeats(definition, sample, impact)})
       row.insert(row.end(), part.begin(), part.end());
   }
   row.resize(repeat_columns.size());
@@ -296,10 +288,8 @@ std::optional<Table> repeat_table(const CaseAssessment& assessment) {
       "Distribution of peaks over repeated runs",
       "Impact peaks of runs that differ only in their random seed, by which their starts are "
       "disturbed or their inputs are drawn, and those of the experiment's repeats. The mean has "
-      "the 95 % interval of the repeats' scatter. The area metric is the area between the two "
-      "cumulative distributions, also given in percent of the experiment's mean. Both samples are "
-      "small, so even two samples of one distribution have an area metric above zero. In brackets: "
-      "95 % intervals by the bootstrap. p (means) is that of equal means by Welch's test. The "
+      "the 95 % interval of the repeats' scatter. In brackets: the 95 % interval by the bootstrap. "
+      "p (means) is that of equal means by Welch's test. The "
       "other two p are the share of random divisions of all peaks into two such samples that "
       "differ as much or more, by Kolmogorov and Smirnov (KS) and by Anderson and Darling (AD); "
       "below 0.05 the samples are told apart. All p are of each test alone; the gate rows correct "

@@ -126,9 +126,10 @@ std::optional<Table> refinement_table(const CaseAssessment& assessment) {
         is_p_value(outcome.row.metric))
       continue;  // the cost rests on all runs of a path together, a p-value has no discretisation
     for (const Role role : {Role::candidate, Role::reference})
-      add_paths(
-          refined_metrics(assessment.definition, assessment.runs, outcome.row, role, measure).paths,
-          outcome.row, table);
+      add_paths(refined_metrics(assessment.definition, assessment.runs, outcome.row, role,
+                                {measure, evidence.measure_with_series()})
+                    .paths,
+                outcome.row, table);
   }
   if (table.rows.empty()) return {};
   return table;

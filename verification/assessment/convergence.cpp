@@ -85,7 +85,8 @@ Convergence convergence_of(const CaseAssessment& assessment, const ConvergenceQu
     row.metric = metric;
     row.unit = metric_unit(metric, unit_of(question.quantity));
     auto [refined, unknown] =
-        refined_metrics(assessment.definition, assessment.runs, row, Role::candidate, measure);
+        refined_metrics(assessment.definition, assessment.runs, row, Role::candidate,
+                        {measure, evidence.measure_with_series()});
     if (refined.empty() || refined.front().values.size() < 3) {
       found.not_measured.push_back(
           mode + " " + metric_name(metric) + ": " +

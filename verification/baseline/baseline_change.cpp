@@ -37,7 +37,8 @@ Json json_of(const BaselineValue& value) {
     entry["terms"] = {{"kind", terms->kind},
                       {"window", terms->window},
                       {"inputs", terms->inputs},
-                      {"setup", terms->setup}};
+                      {"setup", terms->setup},
+                      {"evidence", terms->evidence}};
   return entry;
 }
 
@@ -46,7 +47,8 @@ BaselineValue value_from(const Json& value) {
                      number_from(value.at("lower")), number_from(value.at("upper"))};
   if (value.contains("terms")) {
     const Json& terms = value.at("terms");
-    read.terms = {terms.at("kind"), terms.at("window"), terms.at("inputs"), terms.at("setup")};
+    read.terms = {terms.at("kind"), terms.at("window"), terms.at("inputs"), terms.at("setup"),
+                  terms.value("evidence", "")};
   }
   return read;
 }

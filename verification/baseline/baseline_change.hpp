@@ -1,6 +1,7 @@
 // The baseline of a campaign, changes of it, and a proposal of such changes. A change reads in JSON
 //   {"row", "old", "new"}, with old and new {"value", "half_width_95", "lower", "upper", "terms"}
-//   or null, and terms {"kind", "window", "inputs", "setup"},
+//   or null, and terms {"kind", "window", "inputs", "setup",
+// "evidence"},
 // in ledgers (baseline_ledger.hpp) and proposals alike. Older ledgers record no terms. A proposal
 // lies beside the results until somebody approves it.
 #pragma once
@@ -21,6 +22,9 @@ struct RowTerms {
   std::string window;  // "1 .. 8 s"; empty of a problem's row, as the two below
   std::string inputs;  // "amplitude +- 0.001 m, period +- 0.01 s": those declared uncertain
   std::string setup;   // hash of the case's physics and of the settings of the row's runs
+  // What else the verdict rests on: "2 natural modes; refinement spacing: a, b; ...". Empty of a
+  // problem's row, and where it is not recorded.
+  std::string evidence = {};
 
   bool operator==(const RowTerms&) const = default;
 };

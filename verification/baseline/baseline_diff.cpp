@@ -62,10 +62,50 @@ std::string range(const BaselineValue& value, const std::string& unit) {
                      signed_in_unit(value.upper.value_or(unbounded), unit));
 }
 
+// Whether one end of a tolerance lies below another, by more than rounding.
+bool is_below(double one, double other) {
+  if (std::isinf(one) || std::isinf(other)) return one < other;
+  return other - one > rounding * std::max(std::abs(one), std::abs(other));
+}
+
 // Whether the tolerance accepts more than the baseline's at either end.
 bool is_loosened(const BaselineValue& before, const BaselineValue& after) {
-  return after.lower.value_or(-unbounded) < before.lower.value_or(-unbounded) ||
-         after.upper.value_or(unbounded) > before.upper.value_or(unbounded);
+  return is_below(after.lower.value_or(-unbounded), before.lower.value_or(-unbounded)) ||
+         is_below(before.upper.value_or(unbounded), after.upper.value_or(unbounded));
+}
+
+// What the settings of a run do not say of it (hashed_settings()).
+std::string evidence_of(const RunDefinition& run) {
+  return std::visit(
+      [&](const auto& solver) -> std::string {
+        using Run = std::decay_t<decltype(solver)>;
+        if constexpr (std::is_same_v<Run, RecordRun>)
+          return solver.uncertainty
+                     ? fmt::format("; {} +- {:.6g} {}", run.name, *solver.uncertainty, solver.unit)
+                     : "";
+        else if constexpr (std::is_same_v<Run, ExternalRun>) {
+          std::string inputs;
+          for (const auto& one : solver.inputs) inputs += " " + one.generic_string();
+          return inputs.empty() ? "" : fmt::format("; inputs of {}:{}", run.name, inputs);
+        } else if constexpr (requires { solver.valid_elevation_over_depth; })
+          return fmt::format("; {} up to {:.6g} depths", run.name,
+                             solver.valid_elevation_over_depth);
+        else
+          return "";
+      },
+      run.solver);
+}
+
+std::string evidence_of(const CaseDefinition& definition, const GateRow& row) {
+  std::string text = fmt::format("{} natural modes", definition.natural_modes);
+  const std::set<std::string> names{row.candidate, row.reference, row.improves_on.value_or("")};
+  for (const RefinementDefinition& one : definition.refinements)
+    if (std::any_of(one.runs.begin(), one.runs.end(),
+                    [&](const std::string& run) { return names.contains(run); }))
+      text += fmt::format("; refinement {}: {}", one.name, fmt::join(one.runs, ", "));
+  for (const RunDefinition& run : definition.runs)
+    if (names.contains(run.name)) text += evidence_of(run);
+  return text;
 }
 
 RowTerms terms_of(const CaseDefinition& definition, const GateRow& row) {
@@ -73,18 +113,20 @@ RowTerms terms_of(const CaseDefinition& definition, const GateRow& row) {
       row.part.value_or(std::pair(definition.window_begin, definition.window_end));
   std::string inputs;
   for (const InputUncertainty& one : definition.inputs)
-    inputs += fmt::format("{}{} +- {} {}{}", inputs.empty() ? "" : ", ", input_name(one.input),
+    inputs += fmt::format("{}{} +- {:.6g} {}{}", inputs.empty() ? "" : ", ", input_name(one.input),
                           one.half_width, input_unit(one.input, definition.motion),
                           one.coarse_run.empty() ? "" : " by " + one.coarse_run);
-  return {kind_name(row.kind), fmt::format("{} .. {} s", begin, end), inputs,
-          setup_hash(definition, {row.candidate, row.reference, row.improves_on.value_or("")})};
+  return {kind_name(row.kind), fmt::format("{:.6g} .. {:.6g} s", begin, end), inputs,
+          setup_hash(definition, {row.candidate, row.reference, row.improves_on.value_or("")}),
+          evidence_of(definition, row)};
 }
 
 // An error of a problem is exact but for its round-off, which may be all of it: a thousandth of the
 // bound stands for that.
 std::optional<BaselineValue> baseline_value(const ProblemGateOutcome& outcome) {
   if (!std::isfinite(outcome.value)) return {};
-  BaselineValue value{outcome.value, 0, {}, {}, RowTerms{kind_name(outcome.row.kind), "", "", ""}};
+  BaselineValue value{
+      outcome.value, 0, {}, {}, RowTerms{kind_name(outcome.row.kind), "", "", "", ""}};
   const bool at_least = outcome.row.metric == ProblemMetric::order_at_least;
   (at_least ? value.lower : value.upper) = outcome.row.limit;
   if (const auto& between = outcome.row.between) std::tie(value.lower, value.upper) = *between;
@@ -127,8 +169,25 @@ RowMovement movement_of(const PresentRow& row, const std::optional<BaselineValue
   return movement;
 }
 
+std::string terms_text(const RowTerms& before, const RowTerms& after) {
+  std::string text;
+  const auto add = [&](const char* name, std::string RowTerms::*term) {
+    if (before.*term == after.*term) return;
+    const auto shown = [](const std::string& of) { return of.empty() ? "none" : of; };
+    text += fmt::format(", {}: {} -> {}", name, shown(before.*term), shown(after.*term));
+  };
+  add("kind", &RowTerms::kind);
+  add("window", &RowTerms::window);
+  add("inputs", &RowTerms::inputs);
+  if (!before.evidence.empty()) add("rests on", &RowTerms::evidence);
+  if (before.setup != after.setup)
+    text += ", the case or the settings of the row's runs are others";
+  return text;
+}
+
 bool has_other_terms(const RowMovement& movement) {
-  return movement.before->terms && movement.before->terms != movement.after->terms;
+  if (!movement.before->terms || !movement.after->terms) return false;
+  return !terms_text(*movement.before->terms, *movement.after->terms).empty();
 }
 
 // The case, the runs and the metric that a row's name tells.
@@ -164,21 +223,6 @@ void name_renamed_rows(std::vector<RowMovement>& movements) {
   }
 }
 
-std::string terms_text(const RowTerms& before, const RowTerms& after) {
-  std::string text;
-  const auto add = [&](const char* name, std::string RowTerms::*term) {
-    if (before.*term == after.*term) return;
-    const auto shown = [](const std::string& of) { return of.empty() ? "none" : of; };
-    text += fmt::format(", {}: {} -> {}", name, shown(before.*term), shown(after.*term));
-  };
-  add("kind", &RowTerms::kind);
-  add("window", &RowTerms::window);
-  add("inputs", &RowTerms::inputs);
-  if (before.setup != after.setup)
-    text += ", the case or the settings of the row's runs are others";
-  return text;
-}
-
 std::string tolerance_text(const RowMovement& movement) {
   const BaselineValue &before = *movement.before, &after = *movement.after;
   const bool tightened = is_loosened(after, before);
@@ -195,8 +239,8 @@ std::string tolerance_text(const RowMovement& movement) {
 bool RowMovement::has_changed() const {
   if (lost) return true;
   if (!before || !after) return before.has_value() != after.has_value();
-  return before->lower != after->lower || before->upper != after->upper ||
-         has_moved(*before, *after) || has_other_terms(*this);
+  return loosened || is_loosened(*after, *before) || has_moved(*before, *after) ||
+         has_other_terms(*this);
 }
 
 bool RowMovement::loses_validation() const {

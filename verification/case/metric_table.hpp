@@ -26,26 +26,19 @@ enum class Metric {
   decay_error,
   // Of the whole window.
   normalised_rms,
-  maximum_residual,
-  time_lag,
-  aligned_rms,        // after time_lag is removed
+  aligned_rms,        // after the lag that fits best is removed
   largest_magnitude,  // of the candidate alone
   // Of irregular waves, whose single crests are random (wave_statistics.hpp, spectrum.hpp,
   // time_alignment.hpp).
-  band_energy_error,      // of one mode: within a fifth of its frequency to either side
   cross_correlation_lag,  // one lag of the whole wave
   spectral_peak_error,    // the frequency of the highest peak
   rms_error,              // the deviation from the mean
-  crest_error,            // the mean over the periods of the highest value
-  trough_error,           // the mean over the periods of the lowest value
   mean_offset,
   noise_share,    // of the candidate alone
   initial_value,  // of the candidate alone
   // Of the candidate's impacts against the published ones (impact_metrics.hpp).
   plateau_error,      // the mean over the published plateau's time
-  impact_percentile,  // the share of the experiment's repeats with a lower peak
   impact_arrival,     // the time at which the pressure comes to a share of the peak and holds it
-  impact_rise_time,   // twice the time from half the peak to it, less the published rise time
   impact_peak_error,  // the peak over the published one, less 1
   impulse_error,      // the impulse from the arrival on over the published one, less 1
   // Of the peaks of one impact over an ensemble against those over the experiment's repeats
@@ -53,13 +46,10 @@ enum class Metric {
   peak_mean_p_value,  // of Welch's test of equal means
   peak_ks_p_value,    // of the Kolmogorov-Smirnov test of equal distributions
   peak_ad_p_value,    // of the Anderson-Darling test of equal distributions
-  peak_area,          // between the cumulative distributions, over the experiment's mean
   peak_median_error,  // the ratio of the medians, less 1
-  peak_p90_error,     // the ratio of the quantiles of 90 %, less 1
   // Of the candidate in the band of a record's quantiles (quantile_band.hpp), over the window or a
   // part of it.
-  outside_band,    // the share of the time outside the band
-  band_excursion,  // the largest distance outside the band
+  outside_band,  // the share of the time outside the band
   // Of the pressure fields at the case's snapshot times against interFoam's (field_metrics.hpp).
   pressure_field_rms,      // the rms of the difference over the pressure under the fill depth
   pressure_field_tension,  // the share of the candidate's liquid under tension

@@ -305,6 +305,25 @@ double largest_in_tank(const CaseDefinition& definition, const std::string& unit
   return 1e9;
 }
 
+std::vector<double> resting_values(const CaseDefinition& definition, const std::string& series) {
+  const Quantity* quantity = find_quantity(series);
+  if (!quantity) return {};
+  if (quantity->unit == std::string("Pa") || quantity->at == MeasuredAt::wall) return {0};
+  const TankDefinition& tank = definition.tank;
+  std::vector<double> values;
+  if (quantity->name == std::string("front_position")) {
+    values = {tank.length};
+    for (const ObstacleDefinition& one : definition.obstacles) values.push_back(one.left);
+  } else if (quantity->at == MeasuredAt::surface_gauge) {
+    values = {0, tank.height};
+    for (const ObstacleDefinition& one : definition.obstacles)
+      values.insert(values.end(), {one.bottom, one.top});
+    for (const Corner& corner : tank.outline) values.push_back(corner.z);
+    for (double& value : values) value -= definition.liquid.fill_depth;
+  }
+  return values;
+}
+
 std::vector<std::string> quantity_names() {
   std::vector<std::string> names;
   for (const Quantity& one : quantity_table())

@@ -77,6 +77,11 @@ std::string unit_of(const std::string& series);
 // at 10 U. 1e9 in any other unit.
 double largest_in_tank(const CaseDefinition& definition, const std::string& unit);
 
+// Returns the values at which a series may stay without being cut off: the bottom and the roof of
+// the tank and its obstacles of a surface, the end wall of a front, zero of what falls dry. The
+// section of an outline is that of its corners.
+std::vector<double> resting_values(const CaseDefinition& definition, const std::string& series);
+
 // Returns all names of the table, with "@GAUGE", "@PROBE" and "@WALL" for the quantities of gauges,
 // probes and walls.
 std::vector<std::string> quantity_names();

@@ -273,8 +273,8 @@ const std::vector<KeyTable>& case_key_tables() {
          "The published arrivals: as many as times_s."},
         {"arrivals_half_width_s", "number > 0, s", "no", "Half the 95 % interval of the arrivals."},
         {"rise_times_s", "list of numbers > 0, s", "no",
-         "The published rise times, twice the time from half the peak to the peak: as many as "
-         "times_s."},
+         "The published rise times, twice the time from half the peak to the peak, for the "
+         "tables: as many as times_s."},
         {"rise_times_half_width_s", "number > 0, s", "no",
          "Half the 95 % interval of the rise times."},
         {"impulse_duration_s", "number > 0, s", "with impulses_Pa_s",
@@ -473,7 +473,7 @@ const std::vector<KeyTable>& case_key_tables() {
          "The values, and those of the band, are scale times their column. Default: 1."},
         {"lower_column", "text", "with upper_column",
          "The name of the column of a lower quantile of the experiment's repeats. The two make a "
-         "band about the values, for outside_band and band_excursion."},
+         "band about the values, for outside_band."},
         {"upper_column", "text", "with lower_column", "The same of an upper quantile."},
         {"uncertainty", "number > 0, the record's unit", "no",
          "The same as for a shipped record."}}},
@@ -628,17 +628,17 @@ const std::vector<KeyTable>& case_key_tables() {
          "The metric's unit, which a series that is not compared must name for a metric that has "
          "the quantity's. Default: the unit that it must be."},
         {"limit", "number > 0", "one of the three",
-         "The largest magnitude that passes. cost_to_reach and peak_area take only a limit."},
+         "The largest magnitude that passes. cost_to_reach takes only a limit."},
         {"lower", "number", "one of the three",
-         "With upper: the range that passes, narrower than twice the widest bound. "
-         "impact_percentile and the p-values take only a range."},
+         "With upper: the range that passes, narrower than twice the widest bound. The p-values "
+         "take only a range."},
         {"upper", "number above lower", "with lower", ""},
         {"improves_on", "run name", "one of the three",
          "The candidate must be nearer to zero than this third run, by more than the intervals."},
         {"error", "number above 0 and below 1", "with metric = \"cost_to_reach\" alone",
          "The normalised rms error whose cost is bounded."},
         {"part_begin_s", "number, s, within the comparison's window",
-         "with part_end_s, of outside_band or band_excursion alone",
+         "with part_end_s, of outside_band alone",
          "The part of the comparison's window over which the metric is taken. Default: all of it."},
         {"part_end_s", "number above part_begin_s, s, within the comparison's window",
          "with part_begin_s", ""},

@@ -291,7 +291,6 @@ void require_published(const TomlTable& row, Metric metric, const ImpactsDefinit
   if (metric == Metric::impact_arrival || metric == Metric::impulse_error)
     require(impacts.arrivals.has_value(), "arrivals_s");
   if (metric == Metric::impulse_error) require(impacts.impulses.has_value(), "impulses_Pa_s");
-  if (metric == Metric::impact_rise_time) require(impacts.rise_times.has_value(), "rise_times_s");
   if (is_of_repeats(metric)) require(!impacts.peak_table.empty(), "peak_table");
 }
 

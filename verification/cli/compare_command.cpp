@@ -154,10 +154,8 @@ void print_modes(const Comparison& comparison) {
 
 void print_band(const Comparison& comparison) {
   if (!comparison.margin) return;
-  std::cout << fmt::format(
-      "outside the reference's band: {} of the time, by {} at most\n",
-      in_unit(share_outside(*comparison.margin, comparison.window), "1"),
-      in_unit(largest_excursion(*comparison.margin, comparison.window), comparison.unit));
+  std::cout << fmt::format("outside the reference's band: {} of the time\n",
+                           in_unit(share_outside(*comparison.margin, comparison.window), "1"));
 }
 
 void print(const Comparison& comparison) {
@@ -209,11 +207,8 @@ void write_json(const Comparison& comparison, const std::vector<GateOutcome>& ou
                 {"exit_status", status},
                 {"comparison", comparison_entry(comparison)},
                 {"gate", Json::array()}};
-  if (comparison.margin) {
+  if (comparison.margin)
     document["comparison"]["outside_band"] = share_outside(*comparison.margin, comparison.window);
-    document["comparison"]["band_excursion"] =
-        largest_excursion(*comparison.margin, comparison.window);
-  }
   for (const GateOutcome& outcome : outcomes) document["gate"].push_back(outcome_entry(outcome));
   replace_file(file, document.dump(2) + "\n", Durability::process_crash);
 }

@@ -125,6 +125,7 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
     if (has_series(runs_, run, quantity + lower_edge))
       made->add_band({series_of(runs_, run, quantity + lower_edge),
                       series_of(runs_, run, quantity + upper_edge)});
+    made->readings.rests = resting_values(definition_, quantity);
     // The filter smooths what the sensor cuts off.
     if (is_filtered(quantity))
       if (const std::string raw = quantity.substr(0, quantity.size() - std::strlen(through_filter));

@@ -71,6 +71,9 @@ class CaseEvidence {
   // The functions refer to this object.
   GateEvidence gate_evidence();
 
+  // Measures a row with a series in the place of a run's; it refers to this object.
+  MeasureWithSeries measure_with_series() const;
+
   GateOutcome judge(const GateRow& row);
 
   // Hands over all that was computed here.
@@ -93,7 +96,6 @@ class CaseEvidence {
   const Contribution& input_contribution(const GateRow& row);
   const Estimate& of_repeats(const std::vector<std::string>& members, const GateRow& row);
   Estimate corrected_p_value(const std::vector<std::string>& members, const GateRow& row);
-  MeasureWithSeries measure_with_series() const;
   const PreparedSeries& prepared(const std::string& role, const std::string& run,
                                  const std::string& quantity, const Moved& moved, TimeWindow window,
                                  const std::vector<ToneRequest>& modes);

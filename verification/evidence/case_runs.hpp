@@ -11,9 +11,11 @@
 
 namespace slosh {
 
-// The predictions with one input of the case at either bound of its declared interval.
+// The predictions with one input of the case at either bound of its declared interval, and those of
+// theory between them.
 struct InputBounds {
   RunResult lower, upper;
+  std::vector<RunResult> between = {};
   std::string own = {};  // the run that predicts the case as it is, by the same method
 };
 

@@ -95,7 +95,8 @@ std::vector<double> numerical_half_widths(const CaseDefinition& definition, cons
     // The path is of no use without the run's own history, and where the next step changes nothing.
     if (found.size() < 2 ||
         found[0].step > step_of(path.number, run_named(definition, run), runs) ||
-        found[0].value == found[1].value)
+        are_same(series, {series.name, series.unit, series.time, found[1].value},
+                 {series.time.front(), series.time.back()}))
       continue;
     add_in_quadrature(widths, minus(found[1].value, found[0].value), factor_of(found));
   }

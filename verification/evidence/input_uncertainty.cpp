@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "verification/case/changed_input.hpp"
 #include "verification/case/metric_table.hpp"
+#include "verification/case/motion.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/runs/run_case.hpp"
@@ -52,7 +55,34 @@ const InputBounds& bounds_of(const CaseDefinition& definition, const CaseRuns& r
             "computed at both");
 }
 
-// The largest change of the metric from its own value, between either bound and the case as it is.
+// Where the response turns between the bounds, theory shows it at these shares of the half width,
+// which no whole number of periods hits all.
+constexpr double between_bounds[] = {-0.618, 0.382};
+
+// Two runs at the bounds do not show it: their half width may be a twentieth of what the response
+// can turn within. That to the others is monotone.
+double turns_within(const CaseDefinition& definition, Input input) {
+  switch (input) {
+    case Input::fill_depth:
+      return definition.liquid.fill_depth;
+    case Input::period:
+      return 2 * std::numbers::pi / forcing_frequency(definition);
+    case Input::gravity:
+      return definition.gravity;
+    case Input::sensor_position:
+      return definition.tank.length;
+    case Input::start_phase:
+      return 360;
+    case Input::amplitude:
+    case Input::density:
+    case Input::kinematic_viscosity:
+      break;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+// The largest change of the metric from its own value, between each prediction and the case as it
+// is.
 double largest_change(const CaseDefinition& definition, const CaseRuns& runs,
                       const InputUncertainty& one, const GateRow& row,
                       const MeasureWithSeries& measure_with) {
@@ -68,8 +98,13 @@ double largest_change(const CaseDefinition& definition, const CaseRuns& runs,
   };
   constexpr double turn = 360;
   double largest = 0;
-  for (const RunResult* bound : {&bounds.lower, &bounds.upper}) {
-    double change = value(*bound) - value(own->second);
+  if (bounds.between.empty() && one.half_width > turns_within(definition, one.input) / 20)
+    throw ComparisonError(
+        "two runs at the bounds of so wide an interval do not show how the metric turns between");
+  std::vector<const RunResult*> all{&bounds.lower, &bounds.upper};
+  for (const RunResult& one : bounds.between) all.push_back(&one);
+  for (const RunResult* one : all) {
+    double change = value(*one) - value(own->second);
     if (is_angle(row.metric)) change = std::remainder(change, turn);
     if (!std::isfinite(change)) throw ComparisonError("the prediction has no such metric");
     largest = std::max(largest, std::abs(change));
@@ -89,7 +124,11 @@ void predict_input_bounds(const CaseDefinition& definition, CaseRuns& runs) {
     try {
       runs.input_bounds[one.input] = {predicted(definition, *theory, one.input, -one.half_width),
                                       predicted(definition, *theory, one.input, one.half_width),
+                                      {},
                                       theory->name};
+      for (const double share : between_bounds)
+        runs.input_bounds[one.input].between.push_back(
+            predicted(definition, *theory, one.input, share * one.half_width));
     } catch (const std::exception& error) {
       runs.input_bounds.erase(one.input);
       runs.not_predicted[one.input] = error.what();
@@ -115,7 +154,8 @@ void collect_input_bounds(CaseDefinition& definition, CaseRuns& runs) {
   }
   for (auto& [input, found] : ends)
     if (found.size() == 2 && !runs.input_bounds.contains(input))
-      runs.input_bounds[input] = {std::move(found[false]), std::move(found[true]), repeated[input]};
+      runs.input_bounds[input] = {
+          std::move(found[false]), std::move(found[true]), {}, repeated[input]};
 }
 
 Contribution input_uncertainty(const CaseDefinition& definition, const CaseRuns& runs,

@@ -1,16 +1,18 @@
 // The input uncertainty of a gate row that compares with an experiment (ASME V&V 20-2009, section
 // 4), by the largest change of the metric's prediction from its own value,
-//   u_input^2 = sum over inputs of max(|m(x + u) - m(x)|, |m(x - u) - m(x)|)^2
+//   u_input^2 = sum over inputs of max over s of |m(x + s u) - m(x)|^2
 // u is the half width that the case declares for the input x, and m is the row's metric, measured
-// with a prediction for the tank with that input in the place of the candidate. A central
-// difference would be zero where m is a magnitude, such as normalised_rms, with its least value at
-// x. The prediction comes from the case's first theory of the liquid alone that is inside its
-// range, otherwise from the input's coarse run, repeated at both bounds. The difference of two
-// coarse runs includes their scatter: where the flow is chaotic it is too large rather than too
-// small. An input that cannot be propagated (a bound at which no tank is possible, no prediction
-// at both bounds) is named in `not_counted`; the other inputs count. Without any, the row's u_input
-// is unknown. Against theory or another method both sides have the same inputs, and u_input is
-// zero.
+// with a prediction for the tank with that input in the place of the candidate, at both bounds, s =
+// -1 and 1, and of theory at two places between them too, where a periodic response turns. Runs
+// are made at the bounds alone, so that their interval must be short (a twentieth of what the
+// response turns within). A central difference would be zero where m is a magnitude, such as
+// normalised_rms, with its least value at x. The prediction comes from the case's first theory of
+// the liquid alone that is inside its range, otherwise from the input's coarse run, repeated at
+// both bounds. The difference of two coarse runs includes their scatter: where the flow is chaotic
+// it is too large rather than too small. An input that cannot be propagated (a bound at which no
+// tank is possible, no prediction at both bounds) is named in `not_counted`; the other inputs
+// count. Without any, the row's u_input is unknown. Against theory or another method both sides
+// have the same inputs, and u_input is zero.
 #pragma once
 
 #include "verification/case/case_definition.hpp"

@@ -90,32 +90,6 @@ std::vector<MeasuredRun> one_a_step(const std::vector<MeasuredRun>& measured,
   return kept;
 }
 
-// Whether two series have the same values at their common times in the window, to a millionth of
-// the largest. A finer resolution changes the answer of every solver by more.
-bool are_same(const TimeSeries& one, const TimeSeries& other, TimeWindow window) {
-  constexpr double least_change = 1e-6;  // of the largest magnitude
-  try {
-    const TimeSeries a = cut_to_window(one, window), b = cut_to_window(other, window);
-    if (a.time.size() < 2 || b.time.empty()) return false;
-    // Times that differ by less are one: they are printed in another way.
-    const double at_once =
-        least_change * (a.time.back() - a.time.front()) / static_cast<double>(a.time.size() - 1);
-    double largest = 0, apart = 0;
-    std::size_t common = 0;
-    for (std::size_t i = 0, j = 0; i < a.time.size(); ++i) {
-      while (j < b.time.size() && b.time[j] < a.time[i] - at_once) ++j;
-      if (j == b.time.size()) break;
-      if (b.time[j] > a.time[i] + at_once) continue;
-      largest = std::max(largest, std::abs(a.value[i]));
-      apart = std::max(apart, std::abs(a.value[i] - b.value[j]));
-      ++common;
-    }
-    return common >= 2 && apart <= least_change * largest;
-  } catch (const ComparisonError&) {
-    return false;  // one of them does not cover the window
-  }
-}
-
 // Why the values tell nothing of the discretisation; "" where they do.
 std::string why_unknown(const std::vector<MeasuredRun>& measured,
                         const std::vector<MeasuredRun>& kept, const CaseDefinition& definition,
@@ -170,7 +144,70 @@ void take_noise_of_differences(std::vector<MeasuredRun>& measured, const GateRow
   measured.back().value.noise = own;
 }
 
+bool is_distance(Metric metric) {
+  return metric == Metric::normalised_rms || metric == Metric::aligned_rms ||
+         metric == Metric::outside_band;
+}
+
+// The finest series moved as far beyond itself as the coarser one lies to this side.
+TimeSeries mirrored(const TimeSeries& finest, const TimeSeries& coarser, TimeWindow window) {
+  TimeSeries moved = cut_to_window(finest, window);
+  const CommonSamples common = common_samples(cut_to_window(coarser, window), moved);
+  const auto first = std::find(moved.time.begin(), moved.time.end(), common.time.front());
+  const auto begin = static_cast<std::size_t>(first - moved.time.begin());
+  for (std::size_t i = 0; i < common.time.size(); ++i)
+    moved.value[begin + i] += common.reference[i] - common.candidate[i];
+  return moved;
+}
+
+// The values of a distance as the header has them. Throws ComparisonError or ResultError where a
+// run has no such series.
+std::vector<ValueAtStep> moved_both_ways(const std::vector<MeasuredRun>& measured,
+                                         const CaseDefinition& definition, const CaseRuns& runs,
+                                         const GateRow& row, Role role,
+                                         const MeasureWithSeries& measure_with) {
+  const TimeWindow window{definition.window_begin, definition.window_end};
+  const MeasuredRun& finest = measured.back();
+  const TimeSeries& own = runs.results.at(finest.name).at(row.quantity);
+  std::vector<ValueAtStep> values;
+  for (const auto& [name, value] : measured) {
+    values.push_back(value);
+    if (name == finest.name) continue;
+    const double beyond =
+        measure_with(with(row, role, finest.name), finest.name,
+                     mirrored(own, runs.results.at(name).at(row.quantity), window))
+            .value;
+    values.back().value = finest.value.value + std::max(std::abs(value.value - finest.value.value),
+                                                        std::abs(beyond - finest.value.value));
+  }
+  return values;
+}
+
 }  // namespace
+
+bool are_same(const TimeSeries& one, const TimeSeries& other, TimeWindow window) {
+  constexpr double least_change = 1e-6;  // of the largest magnitude
+  try {
+    const TimeSeries a = cut_to_window(one, window), b = cut_to_window(other, window);
+    if (a.time.size() < 2 || b.time.empty()) return false;
+    // Times that differ by less are one: they are printed in another way.
+    const double at_once =
+        least_change * (a.time.back() - a.time.front()) / static_cast<double>(a.time.size() - 1);
+    double largest = 0, apart = 0;
+    std::size_t common = 0;
+    for (std::size_t i = 0, j = 0; i < a.time.size(); ++i) {
+      while (j < b.time.size() && b.time[j] < a.time[i] - at_once) ++j;
+      if (j == b.time.size()) break;
+      if (b.time[j] > a.time[i] + at_once) continue;
+      largest = std::max(largest, std::abs(a.value[i]));
+      apart = std::max(apart, std::abs(a.value[i] - b.value[j]));
+      ++common;
+    }
+    return common >= 2 && apart <= least_change * largest;
+  } catch (const ComparisonError&) {
+    return false;  // one of them does not cover the window
+  }
+}
 
 double step_of(RefinedNumber number, const RunDefinition& run, const CaseRuns& runs) {
   switch (number) {
@@ -191,12 +228,13 @@ double step_of(RefinedNumber number, const RunDefinition& run, const CaseRuns& r
 }
 
 Refinements refined_metrics(const CaseDefinition& definition, const CaseRuns& runs,
-                            const GateRow& row, Role role, const MeasureRow& measure) {
+                            const GateRow& row, Role role, const PathMeasures& measures) {
   const std::string& own = run_in(row, role);
   Refinements found;
   for (const RefinementDefinition& path : definition.refinements) {
     if (std::find(path.runs.begin(), path.runs.end(), own) == path.runs.end()) continue;
-    const std::vector<MeasuredRun> all = measure_path(path, definition, runs, row, role, measure);
+    const std::vector<MeasuredRun> all =
+        measure_path(path, definition, runs, row, role, measures.row);
     std::vector<MeasuredRun> measured = one_a_step(all, own);
     const auto itself = std::find_if(measured.begin(), measured.end(),
                                      [&](const MeasuredRun& one) { return one.name == own; });
@@ -206,13 +244,19 @@ Refinements refined_metrics(const CaseDefinition& definition, const CaseRuns& ru
       found.unknown.push_back(fmt::format("the refinement {} tells nothing: {}", path.name, why));
       continue;
     }
-    take_noise_of_differences(measured, row, measure);
+    take_noise_of_differences(measured, row, measures.row);
     RefinedMetric metric{path.name, {}, {}, {}};
     for (const auto& [name, value] : measured) {
       metric.values.push_back(value);
       metric.runs.push_back(name);
     }
     metric.found = judge(metric.values, itself->value.step);
+    if (is_distance(row.metric))
+      metric.found.uncertainty = std::max(
+          metric.found.uncertainty,
+          judge(moved_both_ways(measured, definition, runs, row, role, measures.with_series),
+                itself->value.step)
+              .uncertainty);
     found.paths.push_back(std::move(metric));
   }
   return found;

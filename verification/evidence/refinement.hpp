@@ -6,6 +6,12 @@
 // (the grid convergence index with a safety factor of 3 for an error of first order; Roache 1998,
 // section 5.6). For the coarser run this covers its whole error at first order, not only the
 // difference.
+//
+// A distance, such as normalised_rms, is the same for a series that is too high as for one that is
+// too low. With f the finest series and g a coarser one, its value there is therefore taken as
+//   m(f) + max(|m(g) - m(f)|, |m(2 f - g) - m(f)|)
+// the larger change as f moves to g and as far the other way, and the larger of both uncertainties
+// counts.
 #pragma once
 
 #include <functional>
@@ -15,12 +21,19 @@
 #include "verification/case/case_definition.hpp"
 #include "verification/convergence/discretisation_uncertainty.hpp"
 #include "verification/evidence/case_runs.hpp"
+#include "verification/evidence/record_uncertainty.hpp"
 #include "verification/gate/gate.hpp"
 
 namespace slosh {
 
 // Returns a row's metric with the interval that its time series give it.
 using MeasureRow = std::function<Estimate(const GateRow& row)>;
+
+// Measure a row as it is, and with another series in the place of a run's.
+struct PathMeasures {
+  MeasureRow row;
+  MeasureWithSeries with_series;
+};
 
 // The step of a run on a refinement path, in an arbitrary unit. Throws ComparisonError where its
 // result does not record it.
@@ -46,7 +59,11 @@ struct Refinements {
 // first. A path tells nothing where a single step is left, and where two of its steps have the same
 // series in the window, to a millionth: one of them is not what it claims to be.
 Refinements refined_metrics(const CaseDefinition& definition, const CaseRuns& runs,
-                            const GateRow& row, Role role, const MeasureRow& measure);
+                            const GateRow& row, Role role, const PathMeasures& measures);
+
+// Whether two series have the same values at their common times in the window, to a millionth of
+// the largest. A finer resolution changes the answer of every solver by more.
+bool are_same(const TimeSeries& one, const TimeSeries& other, TimeWindow window);
 
 // The root of the sum of squares of the paths' uncertainties.
 double numerical_uncertainty(const std::vector<RefinedMetric>& paths);

@@ -26,9 +26,10 @@ Contribution as_when_measured(const char* how) {
 
 // The numerical uncertainty of the run in this role, from its refinement paths.
 Contribution numerical(const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
-                       Role role, const MeasureRow& measure) {
+                       Role role, const RowMeasures& measures) {
   if (row.kind == RowKind::regression) return as_when_measured("with the same step");
-  const Refinements found = refined_metrics(definition, runs, row, role, measure);
+  const Refinements found =
+      refined_metrics(definition, runs, row, role, {measures.measure, measures.measure_with});
   const std::string unknown = fmt::format("{}", fmt::join(found.unknown, "; "));
   if (!found.paths.empty()) {
     std::vector<std::string> names;
@@ -87,8 +88,6 @@ Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, do
   };
   if (row.metric == Metric::impact_arrival)
     return half_width(impacts.arrivals.value().half_width, 1, "arrivals_half_width_s");
-  if (row.metric == Metric::impact_rise_time)
-    return half_width(impacts.rise_times.value().half_width, 1, "rise_times_half_width_s");
   if (row.metric == Metric::impact_peak_error)
     return half_width(impacts.peaks_half_width, std::abs(1 + value) / of_impact(impacts.peak_means),
                       "peaks_half_width_Pa");
@@ -96,13 +95,7 @@ Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, do
     return half_width(impacts.impulses.value().half_width,
                       std::abs(1 + value) / of_impact(impacts.impulses->values),
                       "impulses_half_width_Pa_s");
-  if (row.metric != Metric::impact_percentile)
-    throw std::logic_error("no uncertainty is published for " + metric_name(row.metric));
-  // The share of the repeats below the peak, by the normal approximation of the binomial.
-  const double repeats =
-      static_cast<double>(impacts.repeats.empty() ? 1 : impacts.repeats[0].size());
-  return {1.96 * std::sqrt(std::max(0.0, value * (1 - value)) / repeats),
-          "the finite number of repeats"};
+  throw std::logic_error("no uncertainty is published for " + metric_name(row.metric));
 }
 
 // What a theory leaves beside its series, and the multiple of the change that counts.
@@ -112,7 +105,7 @@ struct LeftBeside {
 };
 constexpr LeftBeside left_beside_theory[] = {
     {coarser, "the same potential flow with fewer nodes", 1},
-    {finer, "more modes", 2 * reliable_safety_factor},  // error of first order, at twice the step
+    {finer, "more modes", reliable_safety_factor},
     {nonlinear, "the third order", 1}};
 
 bool leaves(const RunDefinition& run, std::string_view suffix) {
@@ -161,7 +154,7 @@ Contribution of_reference(const CaseDefinition& definition, const CaseRuns& runs
   if (const auto* record = std::get_if<RecordRun>(&reference.solver))
     return of_record(runs, row, *record, measures);
   if (is_theory(reference)) return of_theory(runs, reference, row, measures);
-  return numerical(definition, runs, row, Role::reference, measures.measure);
+  return numerical(definition, runs, row, Role::reference, measures);
 }
 
 // What the inputs' intervals do to the metric of one member, where each member draws them. The
@@ -220,7 +213,7 @@ UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const
   else
     found.discretisation =
         rests_on_experiment(definition, row)
-            ? numerical(definition, runs, row, Role::candidate, measures.measure)
+            ? numerical(definition, runs, row, Role::candidate, measures)
             : Contribution{0, "the candidate's discretisation error is what the row measures"};
   found.input = of_inputs(definition, row, measures);
   if (row.metric == Metric::impact_arrival) limit_to_search_window(definition, found);

@@ -52,7 +52,7 @@ struct RowMeasures {
   std::function<Contribution(const GateRow&)> input = {};
   // Measures each member of the candidate against each of the reference (measured_value.hpp).
   std::function<std::vector<std::vector<Estimate>>(const GateRow&)> pairs = {};
-  MeasureWithSeries measure_with = {};  // for rows against a record
+  MeasureWithSeries measure_with = {};
 };
 
 UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const CaseRuns& runs,

@@ -126,18 +126,9 @@ double impact_metric(Metric metric, const std::string& mode, const TimeSeries& p
   const std::size_t n = impact_number(mode, definition);
   const std::optional<ImpactPeak> peak = peak_in(pressure, n, record, definition);
   switch (metric) {
-    case Metric::impact_percentile: {
-      const Distribution repeats = repeated_peaks(definition, n);
-      return peak ? repeats.percentile(peak->pressure) / 100 : not_a_number;
-    }
     case Metric::impact_arrival:
       return arrival_in(pressure, n, definition).value_or(not_a_number) -
              arrivals_of(impacts).times.at(n);
-    case Metric::impact_rise_time:
-      if (!impacts.rise_times) throw ComparisonError("the case's [impacts] has no rise_times_s");
-      return peak ? rise_time(pressure, *peak).value_or(not_a_number) -
-                        impacts.rise_times->values.at(n)
-                  : not_a_number;
     case Metric::impact_peak_error:
       return peak ? peak->pressure / impacts.peak_means.at(n) - 1 : not_a_number;
     case Metric::impulse_error: {

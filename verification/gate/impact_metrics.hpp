@@ -1,8 +1,7 @@
-// A run's impacts compared with the published ones of its case: the arrival of each impact, the
-// height of the plateau after it, and the percentile of its peak among the peaks of the
-// experiment's repeats, no two of which are equal. An impact's peak is sought within a quarter of a
-// period of its published time (impact_peaks.hpp), in the whole history and not in the comparison's
-// window alone.
+// A run's impacts compared with the published ones of its case: the arrival, the peak and the
+// impulse of each impact, and the height of the plateau after it. An impact's peak is sought within
+// a quarter of a period of its published time (impact_peaks.hpp), in the whole history and not in
+// the comparison's window alone.
 #pragma once
 
 #include <optional>

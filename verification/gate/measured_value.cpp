@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "verification/case/metric_table.hpp"
 #include "verification/case/quantities.hpp"
@@ -42,16 +44,6 @@ Estimate decay_error_of(const ModeComparison& mode) {
   return mode.decay_error;
 }
 
-// Both series are finite, so that NaN means too few periods. The value holds for the declared
-// window alone, like normalised_rms.
-Estimate resolved_or_refused(Metric metric, double value) {
-  if (std::isnan(value))
-    throw ComparisonError(fmt::format(
-        "the window holds too few periods of the mode for {}; expected {}", metric_name(metric),
-        metric == Metric::band_energy_error ? "10 or more" : "1 or more"));
-  return {value, 0};
-}
-
 Estimate spectral_peak_error(const Comparison& comparison) {
   if (comparison.candidate_peaks.empty() || comparison.reference_peaks.empty())
     throw ComparisonError("one of the spectra has no peak");
@@ -61,6 +53,10 @@ Estimate spectral_peak_error(const Comparison& comparison) {
       0};
 }
 
+TimeWindow window_of(const GateRow& row, const Comparison& comparison) {
+  return row.part ? TimeWindow{row.part->first, row.part->second} : comparison.window;
+}
+
 // The metric holds for the declared window or its declared part alone, like normalised_rms.
 Estimate band_value(const GateRow& row, const Comparison& comparison) {
   if (!comparison.margin)
@@ -68,15 +64,11 @@ Estimate band_value(const GateRow& row, const Comparison& comparison) {
         fmt::format("{} has no band for {}; expected a record with lower_column "
                     "and upper_column",
                     comparison.reference, comparison.quantity));
-  const TimeWindow window =
-      row.part ? TimeWindow{row.part->first, row.part->second} : comparison.window;
-  const auto value = row.metric == Metric::outside_band ? share_outside : largest_excursion;
-  return {value(*comparison.margin, window), 0};
+  return {share_outside(*comparison.margin, window_of(row, comparison)), 0};
 }
 
 Estimate metric_value(Metric metric, const std::string& mode, const Comparison& comparison) {
-  if (comparison.reference_is_constant && metric != Metric::mean_offset &&
-      metric != Metric::maximum_residual)
+  if (comparison.reference_is_constant && metric != Metric::mean_offset)
     throw ComparisonError(fmt::format(
         "the reference {} is constant from {} s to {} s; {} needs one that varies",
         comparison.reference, comparison.window.begin, comparison.window.end, metric_name(metric)));
@@ -95,45 +87,28 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
       // The gate judges the declared window, all of whose samples are known; the interval would
       // describe other windows.
       return {comparison.normalised_rms.value, 0};
-    case Metric::maximum_residual:
-      return {comparison.maximum_residual, 0};
-    case Metric::time_lag:
-      return {comparison.alignment.lag, 0};
     case Metric::aligned_rms:
       return {comparison.alignment.normalised_rms, 0};
-    case Metric::band_energy_error:
-      return resolved_or_refused(metric, comparison.band_energy_error.at(mode));
     case Metric::cross_correlation_lag:
       return {comparison.cross_correlation_lag_degrees, 0};
     case Metric::spectral_peak_error:
       return spectral_peak_error(comparison);
     case Metric::rms_error:
       return {comparison.candidate_wave.deviation / comparison.reference_wave.deviation - 1, 0};
-    case Metric::crest_error:
-      return resolved_or_refused(
-          metric, comparison.candidate_wave.crest / comparison.reference_wave.crest - 1);
-    case Metric::trough_error:
-      return resolved_or_refused(
-          metric, comparison.candidate_wave.trough / comparison.reference_wave.trough - 1);
     case Metric::mean_offset:
       return {comparison.candidate_wave.mean - comparison.reference_wave.mean, 0};
     case Metric::largest_magnitude:
     case Metric::noise_share:
     case Metric::initial_value:
     case Metric::plateau_error:
-    case Metric::impact_percentile:
     case Metric::impact_arrival:
-    case Metric::impact_rise_time:
     case Metric::impact_peak_error:
     case Metric::impulse_error:
     case Metric::peak_mean_p_value:
     case Metric::peak_ks_p_value:
     case Metric::peak_ad_p_value:
-    case Metric::peak_area:
     case Metric::peak_median_error:
-    case Metric::peak_p90_error:
     case Metric::outside_band:
-    case Metric::band_excursion:
     case Metric::pressure_field_rms:
     case Metric::pressure_field_tension:
     case Metric::cost_to_reach:
@@ -212,44 +187,113 @@ void add_doubt(const std::string& text, SampleDoubts& found) {
   found.keep_from_passing = true;
 }
 
+// Throws ComparisonError below least_coverage.
+void add_coverage(double covered, SampleDoubts& found) {
+  if (covered >= 1) return;
+  if (covered < least_coverage)
+    throw ComparisonError(
+        fmt::format("the samples cover {:.2g} % of the window; expected half of it or more, or a "
+                    "window of [comparison] in which they lie",
+                    100 * covered));
+  found.text +=
+      fmt::format("; over {:.2g} % of the window, which the samples cover", 100 * covered);
+}
+
 void add_doubtful(const std::vector<std::string>& doubts, SampleDoubts& found) {
   if (!doubts.empty()) add_doubt(fmt::format("doubtful: {}", fmt::join(doubts, "; ")), found);
 }
 
+// Of a row with bounds.
+std::pair<double, double> bounds_of(const GateRow& row) {
+  return row.limit ? std::pair{-*row.limit, *row.limit} : row.between.value();
+}
+
+// Whether the row's bounds are narrower than ten steps of the readings. Of a part of the wave a
+// step counts over the reference's deviation.
+bool are_coarse_for(const GateRow& row, const SensorReadings& of, double deviation) {
+  if (row.improves_on) return true;
+  const auto [lower, upper] = bounds_of(row);
+  double width = (upper - lower) / 2;
+  if (row.unit == "1")
+    width *= deviation;
+  else if (row.unit == "deg")
+    width *= deviation * std::numbers::pi / 180;
+  else if (row.unit != of.unit)
+    return true;
+  return !(width >= 10 * *of.limits.step);
+}
+
+std::vector<std::string> reading_doubts(const GateRow& row, const Comparison& pair) {
+  std::vector<std::string> doubts = pair.doubts;
+  for (const SensorReadings& one : pair.in_steps)
+    if (are_coarse_for(row, one, pair.reference_wave.deviation)) doubts.push_back(step_doubt(one));
+  return doubts;
+}
+
+// What stands still must not be within the row's bounds. Where the metric of nothing is one value,
+// these never hold it (WidestBound). An offset of the wave's height is one of nothing that swings,
+// and the share outside a band is that of zeros.
+std::string met_by_nothing(const GateRow& row, const Comparison& pair) {
+  if (row.improves_on) return "";
+  const std::pair<double, double> bounds = bounds_of(row);
+  const auto holds = [&](double value) { return bounds.first <= value && value <= bounds.second; };
+  const double height = 2 * pair.largest_departure;
+  if (row.metric == Metric::mean_offset && !pair.reference_is_constant && height > 0 &&
+      (holds(height) || holds(-height)))
+    return fmt::format(
+        "the bounds hold {:.3g} {}, twice the reference's largest departure from its "
+        "mean: a candidate that does not move meets them wherever it stays",
+        height, pair.unit);
+  if (!pair.margin_of_nothing) return "";
+  const double outside = share_outside(*pair.margin_of_nothing, window_of(row, pair));
+  return row.metric == Metric::outside_band && holds(outside)
+             ? fmt::format("the bounds hold {:.3g} %, the share of a candidate of zeros",
+                           100 * outside)
+             : "";
+}
+
 void add_doubts_of_pairs(const GateRow& row, const GateEvidence& evidence, SampleDoubts& found) {
-  const Comparison *unseen = nullptr, *doubtful = nullptr, *barest = nullptr;
+  const Comparison *unseen = nullptr, *barest = nullptr;
+  std::vector<std::string> doubtful;
   for (const std::string& candidate : ensemble_of(row.candidate, evidence).members)
     for (const std::string& reference : reference_of(row, evidence).members) {
       const Comparison& pair = evidence.comparison(candidate, reference, row.quantity);
       if (pair.unseen && !(unseen && unseen->unseen->departure >= pair.unseen->departure))
         unseen = &pair;
-      if (!doubtful && !pair.doubts.empty()) doubtful = &pair;
+      if (doubtful.empty()) doubtful = reading_doubts(row, pair);
       if (!barest || pair.covered < barest->covered) barest = &pair;
     }
   if (unseen && metric_entry(row.metric).fitted == FittedTones::none)
     add_doubt(unseen_text(*unseen->unseen, unseen->unit), found);
-  if (doubtful) add_doubtful(doubtful->doubts, found);
-  if (barest->covered >= 1) return;
-  if (barest->covered < least_coverage)
-    throw ComparisonError(
-        fmt::format("the samples cover {:.2g} % of the window; expected half of it or more, or a "
-                    "window of [comparison] in which they lie",
-                    100 * barest->covered));
-  found.text +=
-      fmt::format("; over {:.2g} % of the window, which the samples cover", 100 * barest->covered);
+  if (const std::string met = met_by_nothing(row, *barest); !met.empty()) doubtful.push_back(met);
+  add_doubtful(doubtful, found);
+  add_coverage(barest->covered, found);
 }
 
 // What a run records beside the compared quantities need not be what a sensor reads.
 void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
                              SampleDoubts& found) {
   const FindHistory& find = is_of_impacts(row.metric) ? evidence.history : evidence.series;
-  if (!find || !find_quantity(row.quantity)) return;
+  if (!find) return;
+  std::vector<std::string> doubts;
+  double covered = 1;
   for (const std::string& run : ensemble_of(row.candidate, evidence).members) {
     const TimeSeries series = find(run, row.quantity);
-    const std::vector<std::string> doubts =
-        reading_doubts({"candidate", series.unit, sensor_limits(series)});
-    if (!doubts.empty()) return add_doubtful(doubts, found);
+    if (series.time.size() < 2) continue;  // refused by its metric
+    covered = std::min(covered, covered_share(series, {series.time.front(), series.time.back()}));
+    if (!doubts.empty()) continue;
+    if (const auto gap = longest_gap(series))
+      doubts.push_back(fmt::format("the candidate has no sample between {:.4g} and {:.4g} s",
+                                   gap->begin, gap->end));
+    if (!find_quantity(row.quantity)) continue;
+    SensorReadings readings{"candidate", series.unit, sensor_limits(series)};
+    readings.limits.lowest.reset();
+    std::ranges::move(flat_doubts(readings), std::back_inserter(doubts));
+    if (readings.limits.step && are_coarse_for(row, readings, 0))
+      doubts.push_back(step_doubt(readings));
   }
+  add_doubtful(doubts, found);
+  add_coverage(covered, found);
 }
 
 }  // namespace
@@ -279,9 +323,7 @@ SampleDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence)
 double spread_of_series(const GateRow& row, const std::vector<std::string>& members,
                         const FindComparison& comparison) {
   const bool is_of_rms = row.metric == Metric::normalised_rms || row.metric == Metric::aligned_rms;
-  const bool is_of_largest = row.metric == Metric::maximum_residual ||
-                             row.metric == Metric::band_excursion ||
-                             row.metric == Metric::largest_magnitude;
+  const bool is_of_largest = row.metric == Metric::largest_magnitude;
   if (!is_of_rms && !is_of_largest) return 0;
   double squares = 0;
   for (std::size_t i = 0; i < members.size(); ++i)

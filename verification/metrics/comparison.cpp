@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numbers>
 
 #include "verification/fits/block_jackknife.hpp"
+#include "verification/series/sample_moments.hpp"
 #include "verification/series/time_series.hpp"
 #include "verification/series/windowed_series.hpp"
 
@@ -108,17 +108,6 @@ void compare_whole_window(const CommonSamples& common, int blocks, Comparison& r
                      .value = std::move(residual)};
 }
 
-void compare_waves(const CommonSamples& common, const std::vector<ToneRequest>& modes,
-                   Comparison& result) {
-  const double period = modes.empty() ? std::numeric_limits<double>::infinity()
-                                      : 2 * pi / modes.front().angular_frequency;
-  const auto statistics = [&](const std::vector<double>& value) {
-    return wave_statistics({result.quantity, result.unit, common.time, value}, period);
-  };
-  result.candidate_wave = statistics(common.candidate);
-  result.reference_wave = statistics(common.reference);
-}
-
 // The number of blocks, from the period of the slowest mode; 1 without modes.
 int blocks_of(TimeWindow window, const std::vector<ToneRequest>& modes) {
   if (modes.empty()) return 1;
@@ -139,14 +128,6 @@ void add_modes(const PreparedSeries& candidate, const PreparedSeries& reference,
   const int peaks = static_cast<int>(modes.size()) + 1;
   result.candidate_peaks = spectral_peaks(*candidate.spectrum, peaks);
   result.reference_peaks = spectral_peaks(*reference.spectrum, peaks);
-  for (const ToneRequest& mode : modes) {
-    const double frequency = mode.angular_frequency / (2 * pi);
-    const auto energy = [frequency](const Spectrum& of) {
-      return band_energy(of, 0.8 * frequency, 1.2 * frequency);
-    };
-    result.band_energy_error[mode.name] =
-        energy(*candidate.spectrum) / energy(*reference.spectrum) - 1;
-  }
 }
 
 }  // namespace
@@ -159,7 +140,8 @@ PreparedSeries::PreparedSeries(const std::string& role, TimeSeries of, TimeWindo
       modes(std::move(requests)),
       cut(cut_to_window(series, window)),
       constant(is_constant(cut)),
-      readings{role, series.unit, sensor_limits(cut)},
+      readings{role, series.unit, sensor_limits(cut),
+               series.unit == "Pa" ? std::vector<double>{0} : std::vector<double>{}},
       covered(covered_share(series, window)) {
   if (modes.empty() || constant) return;
   require_resolved(window, modes);
@@ -195,9 +177,10 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
   result.unseen = unseen_interval(candidate.series, all);
   result.covered = std::min(candidate.covered, reference.covered);
   if (!reference.constant) {
-    result.doubts = reading_doubts(reference.readings, candidate.readings);
-    std::ranges::move(reading_doubts(candidate.readings, reference.readings),
-                      std::back_inserter(result.doubts));
+    for (const SensorReadings& one : {reference.readings, candidate.readings}) {
+      std::ranges::move(flat_doubts(one), std::back_inserter(result.doubts));
+      if (one.limits.step) result.in_steps.push_back(one);
+    }
   }
   const CommonSamples common = outside_gaps(candidate.series, all);
   if (common.time.size() < 2)
@@ -207,8 +190,15 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
                     reference.series.name));
   compare_whole_window(outside_gaps(candidate.series, samples_of_both(candidate.series, all)),
                        blocks_of(result.window, modes), result);
-  compare_waves(common, modes, result);
-  if (reference.band) result.margin = band_margin(common.time, common.candidate, *reference.band);
+  result.candidate_wave = wave_statistics(common.candidate);
+  result.reference_wave = wave_statistics(common.reference);
+  for (const double value : without_mean(common.reference))
+    result.largest_departure = std::max(result.largest_departure, std::abs(value));
+  if (reference.band) {
+    result.margin = band_margin(common.time, common.candidate, *reference.band);
+    result.margin_of_nothing =
+        band_margin(common.time, std::vector<double>(common.time.size()), *reference.band);
+  }
   result.cross_correlation_lag = result.cross_correlation_lag_degrees = not_a_number;
   result.alignment = {not_a_number, not_a_number};
   if (reference.constant) {

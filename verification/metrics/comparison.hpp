@@ -9,7 +9,6 @@
 // intervals, are those of paired_difference() in harmonic_fit.hpp.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -83,10 +82,8 @@ struct Comparison {
   std::optional<UnseenInterval> unseen;  // what the samples do not tell
   double covered = 1;                    // the share of the asked window that both cover
   std::vector<std::string> doubts;       // about the readings of both (reading_doubts.hpp)
+  std::vector<SensorReadings> in_steps;  // those of both that have a step
   std::vector<ModeComparison> modes;     // the modes asked for; empty for Detail::spectrum_alone
-  // For each mode, E_c / E_r - 1 with the energies within a fifth of its frequency to either side
-  // (spectrum.hpp); NaN where the window cannot resolve that band.
-  std::map<std::string, double> band_energy_error;
   // Over the whole window; intervals by block_jackknife.hpp, unknown without modes.
   Estimate normalised_rms;  // rms(c - r) / rms(r - mean r)
   double maximum_residual;  // max |c - r|, in the quantity's unit
@@ -95,11 +92,13 @@ struct Comparison {
   double cross_correlation_lag_degrees;  // of that period
   TimeAlignment alignment;               // NaN with modes, which have lags of their own
   Estimate sprague_geers_magnitude, sprague_geers_phase;
-  // Of both at the reference's times inside the window, with the first mode's period.
+  // Of both at the reference's times inside the window.
   WaveStatistics candidate_wave, reference_wave;
   TimeSeries residual;  // c - r inside the window, at the times of samples_of_both()
-  // The candidate's margin in the reference's band (quantile_band.hpp); nullopt without a band.
-  std::optional<TimeSeries> margin;
+  // The candidate's margin in the reference's band (quantile_band.hpp), and that of a candidate of
+  // zeros; nullopt without a band.
+  std::optional<TimeSeries> margin, margin_of_nothing;
+  double largest_departure = 0;  // of the reference from its mean, in the quantity's unit
   // One more than there are modes, highest first; empty without modes.
   std::vector<SpectralPeak> candidate_peaks, reference_peaks;
 };

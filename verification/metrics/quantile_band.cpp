@@ -101,13 +101,4 @@ double share_outside(const TimeSeries& margin, TimeWindow window) {
   return outside / all;
 }
 
-double largest_excursion(const TimeSeries& margin, TimeWindow window) {
-  double largest = 0;
-  for (const auto& [length, begins, ends] : intervals_in(margin, window)) {
-    if (!std::isfinite(begins) || !std::isfinite(ends)) return not_a_number;
-    largest = std::max({largest, -begins, -ends});
-  }
-  return largest;
-}
-
 }  // namespace slosh

@@ -25,13 +25,9 @@ struct QuantileBand {
 TimeSeries band_margin(const std::vector<double>& time, const std::vector<double>& candidate,
                        const QuantileBand& band);
 
-// The share of the window's time for which the margin is negative. Both functions throw
-// ComparisonError where the window is empty or reaches beyond the margin by more than its longest
-// interval between samples, and return NaN where a value in the window is not finite.
+// The share of the window's time for which the margin is negative. Throws ComparisonError
+// where the window is empty or reaches beyond the margin by more than its longest interval between
+// samples, and returns NaN where a value in the window is not finite.
 double share_outside(const TimeSeries& margin, TimeWindow window);
-
-// The largest distance outside the band within the window, in the margin's unit; 0 where the margin
-// is never negative.
-double largest_excursion(const TimeSeries& margin, TimeWindow window);
 
 }  // namespace slosh

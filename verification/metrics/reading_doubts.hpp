@@ -1,6 +1,6 @@
-// What is doubtful about the readings of two series that are compared (sensor_limits.hpp), in
-// sentences. A flat is no doubt where the other series rests at the same value, as at the bottom or
-// the roof, and neither is one at zero of a pressure or a load, which a place has that falls dry.
+// What is doubtful about the readings of a series (sensor_limits.hpp), in sentences. A flat is no
+// doubt where the quantity rests: at the bottom or the roof, or at the zero of a pressure or of a
+// wall's load that falls dry.
 #pragma once
 
 #include <string>
@@ -14,12 +14,15 @@ struct SensorReadings {
   std::string role;  // "candidate", "reference"
   std::string unit;
   SensorLimits limits;
+  std::vector<double> rests = {};  // the values at which it may stay, in the unit
 };
 
-// "the candidate's values lie 0.01 m apart, on 3 levels: each may be off by half of that"; empty
-// where nothing is doubtful.
-std::vector<std::string> reading_doubts(const SensorReadings& of, const SensorReadings& other);
-// Of a series alone, of which the highest value is judged.
-std::vector<std::string> reading_doubts(const SensorReadings& of);
+// "the candidate stays at its highest value, 0.01 m, from 1.2 to 1.4 s, which cuts off some 0.002
+// m"; empty where nothing is doubtful.
+std::vector<std::string> flat_doubts(const SensorReadings& of);
+
+// "the values of the candidate lie 0.01 m apart, 20 steps from the lowest to the highest: each may
+// be off by half a step". Requires a step.
+std::string step_doubt(const SensorReadings& of);
 
 }  // namespace slosh

@@ -129,6 +129,17 @@ std::optional<UnseenInterval> unseen_interval(const TimeSeries& candidate,
   return of_candidate;
 }
 
+std::optional<TimeWindow> longest_gap(const TimeSeries& series) {
+  double longest = least_gap * median_interval(series.time);
+  std::optional<TimeWindow> gap;
+  for (std::size_t i = 1; i < series.time.size(); ++i) {
+    if (series.time[i] - series.time[i - 1] <= longest) continue;
+    longest = series.time[i] - series.time[i - 1];
+    gap = {series.time[i - 1], series.time[i]};
+  }
+  return gap;
+}
+
 double covered_share(const TimeSeries& series, TimeWindow window) {
   const std::vector<double>& time = series.time;
   const double length = window.end - window.begin, median = median_interval(time);

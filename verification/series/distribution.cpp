@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -53,11 +52,6 @@ double Distribution::quantile(double probability) const {
   return std::lerp(sorted_[below], sorted_[above], place - static_cast<double>(below));
 }
 
-double Distribution::cumulative(double x) const {
-  const auto above = std::upper_bound(sorted_.begin(), sorted_.end(), x);
-  return count(above - sorted_.begin()) / static_cast<double>(sorted_.size());
-}
-
 double Distribution::percentile(double x) const {
   if (std::isnan(x)) throw ComparisonError(name_ + ": percentile of NaN: expected a number");
   const auto [first, last] = std::equal_range(sorted_.begin(), sorted_.end(), x);
@@ -71,18 +65,6 @@ Interval Distribution::central_90_percent() const {
                                       sorted_.size(), fewest_for_interval));
   }
   return {.low = quantile(0.05), .high = quantile(0.95)};
-}
-
-double area_metric(const Distribution& a, const Distribution& b) {
-  std::vector<double> steps;
-  std::merge(a.sorted().begin(), a.sorted().end(), b.sorted().begin(), b.sorted().end(),
-             std::back_inserter(steps));
-  double area = 0;
-  for (std::size_t i = 1; i < steps.size(); ++i) {
-    const double x = steps[i - 1];
-    area += std::abs(a.cumulative(x) - b.cumulative(x)) * (steps[i] - x);
-  }
-  return area;
 }
 
 }  // namespace slosh

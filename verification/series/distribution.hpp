@@ -1,14 +1,8 @@
 // The distribution of a quantity over repeats of one experiment or run whose single outcome is not
-// repeatable (an impact's peak pressure), and the distance between two distributions. With
-// x_(1) <= ... <= x_(n) the sorted values:
+// repeatable (an impact's peak pressure). With x_(1) <= ... <= x_(n) the sorted values:
 //   mean m = sum x_i / n,   standard deviation = sqrt(sum (x_i - m)^2 / (n - 1))
 //   quantile of p: x at the place 1 + (n - 1) p between the sorted values, linear in between
 //     (Hyndman & Fan 1996, Am. Stat. 50, 361-365, type 7: the default of R and NumPy)
-//   cdf F(x) = the number of values <= x, divided by n
-//   area metric d = integral |F_1(x) - F_2(x)| dx (Ferson, Oberkampf & Ginzburg 2008, Comput.
-//     Methods Appl. Mech. Eng. 197, 2408-2430), in the quantity's unit. For single values it is
-//     their distance, for samples shifted against each other the shift; it is zero only where the
-//     two cdfs are equal.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +28,6 @@ class Distribution {
   double mean() const;
   double standard_deviation() const;          // throws ComparisonError for a single value
   double quantile(double probability) const;  // throws ComparisonError outside 0 to 1
-  double cumulative(double x) const;          // F(x), 0 to 1
   // The percentile rank of x: the percentage of values below it, plus half the percentage of values
   // equal to it. Throws ComparisonError when x is NaN.
   double percentile(double x) const;
@@ -46,8 +39,5 @@ class Distribution {
   std::string name_;
   std::vector<double> sorted_;
 };
-
-// The area metric d of two samples in the same unit.
-double area_metric(const Distribution& a, const Distribution& b);
 
 }  // namespace slosh

@@ -12,6 +12,7 @@ constexpr int most_steps = 100;
 constexpr double on_levels = 0.9;       // of the samples
 constexpr double off_level = 0.01;      // [steps] by rounding
 constexpr double least_hidden = 0.015;  // of the range
+constexpr double jitter = 1e-3;         // of the range
 constexpr std::size_t most_sampled = 20000, fewest_in_flat = 3;
 
 // The values that are read more than once, in order; empty where too few samples have them.
@@ -58,15 +59,16 @@ double value_at(const TimeSeries& series, double time) {
 
 // The flat of the samples from first to last, whose edges lie between these and their neighbours;
 // nullopt where it reaches an end of the series.
-std::optional<FlatExtreme> flat_of(const TimeSeries& series, std::size_t first, std::size_t last) {
+std::optional<FlatExtreme> flat_of(const TimeSeries& series, double extreme, std::size_t first,
+                                   std::size_t last) {
   const std::vector<double>& time = series.time;
   if (first == 0 || last + 1 == time.size()) return std::nullopt;
   const double begin = (time[first - 1] + time[first]) / 2, end = (time[last] + time[last + 1]) / 2,
                half = (end - begin) / 2;
   if (begin - half <= series.time.front() || end + half >= series.time.back()) return std::nullopt;
-  const double drop = std::min(std::abs(value_at(series, begin - half) - series.value[first]),
-                               std::abs(value_at(series, end + half) - series.value[first]));
-  return FlatExtreme{series.value[first], begin, end, drop / 3};
+  const double drop = std::min(std::abs(value_at(series, begin - half) - extreme),
+                               std::abs(value_at(series, end + half) - extreme));
+  return FlatExtreme{extreme, begin, end, drop / 3};
 }
 
 // Of all flats at the extreme the one that hides most.
@@ -74,9 +76,9 @@ std::optional<FlatExtreme> flat_extreme(const TimeSeries& series, double extreme
   std::optional<FlatExtreme> worst;
   for (std::size_t i = 0; i < series.value.size(); ++i) {
     const std::size_t first = i;
-    while (i < series.value.size() && series.value[i] == extreme) ++i;
+    while (i < series.value.size() && std::abs(series.value[i] - extreme) <= jitter * range) ++i;
     if (i - first < fewest_in_flat) continue;
-    const std::optional<FlatExtreme> flat = flat_of(series, first, i - 1);
+    const std::optional<FlatExtreme> flat = flat_of(series, extreme, first, i - 1);
     if (flat && flat->hidden >= least_hidden * range && !(worst && worst->hidden >= flat->hidden))
       worst = flat;
   }

@@ -7,11 +7,12 @@
 // (pi x)) (Fourier series of the staircase). A hundred steps, q = A / 50, hide 1 % of a crest and
 // 0.06 % of an amplitude.
 //
-// Flats: three readings or more at exactly the highest (lowest) value, with a descent on both
-// sides, are a crest that is cut off. The parabola through both edges of a flat of length T falls
-// from its own crest by h inside and by 3 h more within T / 2 outside, so that the flat hides h =
-// drop / 3. A crest that is only read in steps has h <= 4 q / 3 by this, below 1.5 % of the range
-// for a hundred steps: from there on, 3 % of a sine's amplitude, it is told.
+// Flats: three readings or more within a thousandth of the range of the highest (lowest) value,
+// with a descent on both sides, are a crest that is cut off. A round crest hides as much by this as
+// its readings differ. The parabola through both edges of a flat of length T falls from its own
+// crest by h inside and by 3 h more within T / 2 outside, so that the flat hides h = drop / 3. A
+// crest that is only read in steps has h <= 4 q / 3 by this, below 1.5 % of the range for a hundred
+// steps: from there on, 3 % of a sine's amplitude, it is told.
 #pragma once
 
 #include <optional>

@@ -14,7 +14,6 @@ namespace slosh {
 namespace {
 
 constexpr std::size_t padding = 4;
-constexpr double hann_noise_bandwidth = 1.5;  // [bins]
 
 // Multiplies by the window in place and returns the sum of its weights.
 double apply_hann_window(std::vector<double>& samples) {
@@ -79,14 +78,6 @@ std::vector<SpectralPeak> spectral_peaks(const Spectrum& spectrum, int count) {
     if (apart) peaks.push_back(maximum);
   }
   return peaks;
-}
-
-double band_energy(const Spectrum& spectrum, double low, double high) {
-  if (!(high - low >= 2 * spectrum.resolution)) return not_a_number;
-  double sum = 0;
-  for (std::size_t i = 0; i < spectrum.power.size(); ++i)
-    if (spectrum.frequency[i] >= low && spectrum.frequency[i] <= high) sum += spectrum.power[i];
-  return sum / (hann_noise_bandwidth * static_cast<double>(padding));
 }
 
 }  // namespace slosh

@@ -36,10 +36,4 @@ Spectrum power_spectrum(const TimeSeries& series, TimeWindow window);
 // window (-31.5 dB).
 std::vector<SpectralPeak> spectral_peaks(const Spectrum& spectrum, int count);
 
-// The series' variance within a band of frequencies [unit^2], from low to high [Hz]: the sum of the
-// spectrum's points there over the 1.5 bins (of 1 / window each) over which the Hann window spreads
-// a tone's power (Harris 1978, table 1: equivalent noise bandwidth). For a sine well inside it is
-// A^2 / 2. Returns NaN where the band is narrower than the resolution to either side of its middle.
-double band_energy(const Spectrum& spectrum, double low, double high);
-
 }  // namespace slosh

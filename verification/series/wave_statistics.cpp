@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "verification/series/sample_moments.hpp"
@@ -16,28 +15,6 @@ namespace {
 constexpr std::size_t fewest_samples = 16;  // twelve differences: the least for a usable median
 constexpr double normal_median = 0.6744897501960817;  // median of |x|, x standard normal
 constexpr double squared_weights = 70;                // 1 + 16 + 36 + 16 + 1
-
-struct Extremes {
-  double high = -std::numeric_limits<double>::infinity();
-  double low = std::numeric_limits<double>::infinity();
-};
-
-// The extremes of each whole period that has a sample; a period cut short by the window is left
-// out.
-std::vector<Extremes> extremes_by_period(const TimeSeries& series, double period) {
-  const double begin = series.time.front();
-  // The factor only allows for the rounding of sample times.
-  const double whole = std::floor((series.time.back() - begin) / period * (1 + 1e-9));
-  std::vector<Extremes> found(static_cast<std::size_t>(std::max(0.0, whole)));
-  for (std::size_t i = 0; i < series.time.size(); ++i) {
-    const auto k = static_cast<std::size_t>((series.time[i] - begin) / period);
-    if (k >= found.size()) continue;
-    found[k].high = std::max(found[k].high, series.value[i]);
-    found[k].low = std::min(found[k].low, series.value[i]);
-  }
-  std::erase_if(found, [](const Extremes& one) { return !(one.high >= one.low); });
-  return found;
-}
 
 std::vector<double> fourth_differences(const std::vector<double>& y) {
   std::vector<double> differences;
@@ -55,16 +32,8 @@ double median_magnitude(std::vector<double> values) {
 
 }  // namespace
 
-WaveStatistics wave_statistics(const TimeSeries& series, double period) {
-  std::vector<double> highs, lows;
-  for (const Extremes& one : extremes_by_period(series, period)) {
-    highs.push_back(one.high);
-    lows.push_back(one.low);
-  }
-  return {.mean = mean(series.value),
-          .deviation = rms(without_mean(series.value)),
-          .crest = mean(highs),
-          .trough = mean(lows)};
+WaveStatistics wave_statistics(const std::vector<double>& values) {
+  return {.mean = mean(values), .deviation = rms(without_mean(values))};
 }
 
 double noise_share(const TimeSeries& series) {

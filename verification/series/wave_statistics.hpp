@@ -1,9 +1,7 @@
-// Statistics of a wave whose single crests depend on small disturbances, as after breaking: moments
-// and extremes of one series over a window, and the white noise in it. With y_i the samples, m
-// their mean and T the wave's period:
+// Statistics of a wave whose single crests depend on small disturbances, as after breaking: the
+// moments of one series over a window, and the white noise in it. With y_i the samples and m their
+// mean:
 //   deviation     s = sqrt(sum (y_i - m)^2 / n)
-//   crest         mean over the whole periods of max y in the period
-//   trough        mean over the whole periods of min y in the period
 //   noise share   median |D^4 y| / (0.6745 sqrt(70)) / s
 // with D^4 y = y_(i-2) - 4 y_(i-1) + 6 y_i - 4 y_(i+1) + y_(i+2) of equally spaced samples. White
 // noise of deviation sigma gives D^4 y the variance 70 sigma^2 (the sum of the squared weights;
@@ -13,24 +11,22 @@
 // gives a share of at most (2 sin(pi / n))^4 / 5.6 at n samples per period: 0.0017 at 20.
 #pragma once
 
+#include <vector>
+
 #include "verification/series/time_series.hpp"
 
 namespace slosh {
 
-// In the series' unit, measured from its own zero (for an elevation the still level). After
-// breaking the crests scatter from run to run and the troughs hardly, so that the troughs show an
-// error of the datum.
+// In the series' unit, measured from its own zero (for an elevation the still level).
 struct WaveStatistics {
   double mean, deviation;
-  double crest, trough;  // NaN for less than one whole period
 };
 
-// Requires a series that cut_to_window() has checked. The periods [s] are counted from its first
-// sample.
-WaveStatistics wave_statistics(const TimeSeries& series, double period);
+WaveStatistics wave_statistics(const std::vector<double>& values);
 
-// The noise share of such a series. Unequally spaced samples are first interpolated to as many
-// equally spaced ones. Throws ComparisonError for fewer than 16 samples and for a constant series.
+// The noise share of a series that cut_to_window() has checked. Unequally spaced samples are first
+// interpolated to as many equally spaced ones. Throws ComparisonError for fewer than 16 samples and
+// for a constant series.
 double noise_share(const TimeSeries& series);
 
 }  // namespace slosh

@@ -19,9 +19,9 @@
 namespace slosh {
 namespace {
 
-// Beside twice the modes: a place may be a node of the next one.
-constexpr int fewest_more_modes = 4;
-constexpr int many_of_a_section = 20;
+// At one place the next modes may cancel one another, but not all of so many.
+constexpr int times_the_modes = 16, most_modes_more = 1000, many_of_a_section = 20,
+              most_samples = 4000;
 
 std::unique_ptr<LinearFlow> linear_flow(const LinearRun& linear, const CaseDefinition& definition) {
   return is_rectangle(definition.tank) ? linear_flow_in_rectangle(linear, definition)
@@ -100,22 +100,33 @@ double per_elevation(const TimeSeries& series, double density, double gravity,
   return of_surface > 0 ? scatter(series.value) / of_surface : 0;
 }
 
-// Each series with twice the modes. Many modes of a section are dear: there half of them tell it,
-// for a rest that falls with the first power of their number.
+// Each series with what more modes add, for a rest that falls with the first power of their number.
+// Many modes of a section are dear: there a quarter of them tells it. So are many samples: at most
+// `most_samples` of them tell the size of the rest.
 std::vector<TimeSeries> with_more_modes(const LinearRun& linear, const CaseDefinition& definition,
-                                        const std::vector<TimeSeries>& own) {
-  const bool doubles = is_rectangle(definition.tank) || linear.modes < many_of_a_section;
+                                        std::vector<TimeSeries> own) {
+  const bool is_few = is_rectangle(definition.tank) || linear.modes < many_of_a_section;
   LinearRun other = linear;
-  other.modes = doubles ? std::max(2 * linear.modes, linear.modes + fewest_more_modes)
-                        : std::max(1, linear.modes / 2);
-  std::vector<TimeSeries> more = series_of(*linear_flow(other, definition), definition).all;
-  for (std::size_t i = 0; i < more.size(); ++i) {
-    more[i].name += finer;
-    if (doubles) continue;
-    const std::vector<double> last = minus(own[i].value, more[i].value);
-    for (std::size_t n = 0; n < last.size(); ++n) more[i].value[n] = own[i].value[n] + last[n] / 2;
+  other.modes =
+      !is_few ? linear.modes / 4
+      : is_rectangle(definition.tank)
+          ? std::max(1, std::min(times_the_modes * linear.modes, linear.modes + most_modes_more))
+          : 2 * many_of_a_section;
+  const double rest =  // 1 / m over 1 / m - 1 / M
+      1.0 * other.modes / (other.modes - linear.modes);
+  CaseDefinition few = definition;
+  few.sample_interval = std::max(definition.sample_interval, definition.duration / most_samples);
+  const auto summed = [&](const LinearRun& modes) {
+    return series_of(*linear_flow(modes, few), few).all;
+  };
+  const std::vector<TimeSeries> less = summed(linear), more = summed(other);
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    own[i].name += finer;
+    const std::vector<double> added =
+        at_times(minus(more[i].value, less[i].value), few.sample_interval, own[i].time);
+    for (std::size_t n = 0; n < added.size(); ++n) own[i].value[n] += rest * added[n];
   }
-  return more;
+  return own;
 }
 
 // Adds each series with more modes, and with what linear theory leaves out where that is finite.

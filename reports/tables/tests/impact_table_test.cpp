@@ -107,7 +107,7 @@ TEST(ImpactTable, OfASingleImpactTellsItsArrivalAndItsImpulse) {
   single.plateau = single.plateau_begin = single.plateau_end = 0;
   single.arrivals = ArrivalsDefinition{.share = 0.5, .times = {2.374}};
   single.impulses = ImpulsesDefinition{.duration = 0.07, .values = {50}};
-  single.rise_times = RiseTimesDefinition{{0.001}};
+  single.rise_times = RiseTimesDefinition{{0.001}, 0.0002};
   definition.impacts = single;
   CaseAssessment assessment = one_run(pressure_of({.late = 0.012}), definition);
   add_run(assessment, "dry", sph, {pressure_of({.impacts = 0})});
@@ -115,7 +115,7 @@ TEST(ImpactTable, OfASingleImpactTellsItsArrivalAndItsImpulse) {
   EXPECT_EQ(table->header, (Row{"run", "pressure", "impact 1 [s]", "peak 1 [Pa]", "rise 1 [s]",
                                 "arrival 1 [s]", "impulse 1 [Pa s]"}));
   EXPECT_EQ(table->rows.at(0),
-            (Row{"published", "as published", "2.375", "3710", "0.0010", "2.3740", "50"}));
+            (Row{"published", "as published", "2.375", "3710", "0.0010 ± 0.0002", "2.3740", "50"}));
   const Row& run = table->rows.at(1);
   EXPECT_EQ(run.at(2), "2.387 (+0.012)");
   EXPECT_EQ(run.at(3), "3710 (+0 %)");

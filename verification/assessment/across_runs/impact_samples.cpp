@@ -85,16 +85,6 @@ std::string median_ratio_text(const PeakComparison& comparison) {
   return ratio_text(comparison.median_error);
 }
 
-std::string p90_ratio_text(const PeakComparison& comparison) {
-  return ratio_text(comparison.p90_error);
-}
-
-std::string area_text(const PeakComparison& comparison) {
-  const auto& [value, interval] = comparison.area;
-  return fmt::format("{:.0f} ({:.0f} to {:.0f})", 100 * value.value, 100 * interval.low,
-                     100 * interval.high);
-}
-
 // The tests by random divisions of the peaks tell no smaller p than that of one division in all
 // that were drawn. Welch's test could, but is told alike.
 std::string p_text(double p) {
@@ -104,10 +94,10 @@ std::string p_text(double p) {
 
 std::string comparison_text(const PeakComparison& comparison) {
   return fmt::format(
-      "median {} times the experiment's, area {} % of its mean, p {} of equal means by Welch, "
-      "{} by Kolmogorov and Smirnov and {} by Anderson and Darling",
-      median_ratio_text(comparison), area_text(comparison), p_text(comparison.mean_p.value),
-      p_text(comparison.ks_p.value), p_text(comparison.ad_p.value));
+      "median {} times the experiment's, p {} of equal means by Welch, {} by "
+      "Kolmogorov and Smirnov and {} by Anderson and Darling",
+      median_ratio_text(comparison), p_text(comparison.mean_p.value), p_text(comparison.ks_p.value),
+      p_text(comparison.ad_p.value));
 }
 
 }  // namespace slosh

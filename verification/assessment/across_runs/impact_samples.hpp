@@ -36,15 +36,11 @@ PeakSample peak_sample(const CaseAssessment& assessment,
 std::optional<PeakComparison> against_experiment(const CaseDefinition& definition,
                                                  const PeakSample& sample, std::size_t impact);
 
-// "median 1.12 (0.95 to 1.30) times the experiment's, area 15 (0 to 29) % of its mean, p 0.04 of
-// equal means by Welch, 0.03 by Kolmogorov and Smirnov and 0.02 by Anderson and Darling"
+// "median 1.12 (0.95 to 1.30) times the experiment's, p 0.04 of equal means by Welch, 0.03 by
+// Kolmogorov and Smirnov and 0.02 by Anderson and Darling"
 std::string comparison_text(const PeakComparison& comparison);
 
 // "1.12 (0.95 to 1.30)": the ratio of the medians with its 95 % interval.
 std::string median_ratio_text(const PeakComparison& comparison);
-// The same of the quantiles of 90 %.
-std::string p90_ratio_text(const PeakComparison& comparison);
-// "15 (0 to 29)": the area in percent of the experiment's mean, with its 95 % interval.
-std::string area_text(const PeakComparison& comparison);
 
 }  // namespace slosh

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "verification/baseline/baseline_change.hpp"
@@ -207,6 +208,47 @@ TEST(BaselineDiff, TellsOtherTermsWhereTheBaselineRecordsThem) {
   const std::string text = movement_text(moved);
   EXPECT_NE(text.find("kind: validation -> regression, window: 0 .. 0 s -> 2 .. 0 s"), text.npos)
       << text;
+}
+
+TEST(BaselineDiff, TellsOtherEvidenceOfARow) {
+  std::vector<CaseAssessment> now = campaign(outcome(0.01, 0.003, 0.05));
+  CaseDefinition& definition = now[0].definition;
+  definition.natural_modes = 2;
+  definition.refinements = {{"spacing", RefinedNumber::particle_spacing, {"sph", "coarse"}}};
+  RunDefinition theory{}, mine{};
+  theory.name = "linear";
+  theory.solver = LinearRun{10, false, 0.1};
+  mine.name = "sph";
+  mine.solver = ExternalRun{.command = {"./solve"}, .inputs = {"mine.py"}};
+  definition.runs = {theory, mine};
+  Baseline before = baseline;
+  before.begin()->second.terms = moved_in(baseline, now).at(0).after->terms;
+  EXPECT_FALSE(moved_in(before, now).at(0).has_changed());
+  const std::vector<std::function<void(CaseDefinition&)>> swaps{
+      [](CaseDefinition& one) { one.natural_modes = 1; },
+      [](CaseDefinition& one) { one.refinements[0].runs[1] = "other"; },
+      [](CaseDefinition& one) { one.refinements.clear(); },
+      [](CaseDefinition& one) {
+        std::get<LinearRun>(one.runs[0].solver).valid_elevation_over_depth = 0.2;
+      },
+      [](CaseDefinition& one) { std::get<ExternalRun>(one.runs[1].solver).inputs.clear(); }};
+  for (const auto& swap : swaps) {
+    std::vector<CaseAssessment> other = now;
+    swap(other[0].definition);
+    const RowMovement moved = moved_in(before, other).at(0);
+    EXPECT_TRUE(moved.has_changed());
+    EXPECT_NE(movement_text(moved).find("rests on: 2 natural modes"), std::string::npos)
+        << movement_text(moved);
+  }
+  before.begin()->second.terms->evidence.clear();  // an older ledger
+  EXPECT_FALSE(moved_in(before, now).at(0).has_changed());
+}
+
+TEST(BaselineDiff, ATwelfthDigitIsNoChange) {
+  EXPECT_FALSE(movement(outcome(0.01, 0.003, 0.05 * (1 + 1e-12))).has_changed());
+  EXPECT_FALSE(movement(outcome(0.01, 0.003, 0.05 * (1 - 1e-12))).has_changed());
+  EXPECT_TRUE(movement(outcome(0.01, 0.003, 0.0501)).has_changed());
+  EXPECT_TRUE(movement(outcome(0.01, 0.003, 0.0499)).has_changed());
 }
 
 TEST(BaselineDiff, ProposesTheTermsOfRowsThatHaveNotChanged) {

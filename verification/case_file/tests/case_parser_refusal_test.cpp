@@ -419,26 +419,25 @@ INSTANTIATE_TEST_SUITE_P(
                 {"amplitude_error", "frequency_error"},
                 "trial.toml:56: gate.mode = \"forced\": expected what frequency_error is measured "
                 "on, one of natural_1, natural_2"},
+        Mistake{"UnknownMetric",
+                {"amplitude_error", "amplitude_eror"},
+                "trial.toml:57: gate.metric = \"amplitude_eror\": expected a metric, one of "
+                "amplitude_error, phase_lag, frequency_error, decay_rate, decay_error, "
+                "normalised_rms, "
+                "aligned_rms, largest_magnitude, "
+                "cross_correlation_lag, spectral_peak_error, rms_error, "
+                "mean_offset, noise_share, initial_value, "
+                "plateau_error, impact_arrival, "
+                "impact_peak_error, "
+                "impulse_error, peak_mean_p_value, peak_ks_p_value, peak_ad_p_value, "
+                "peak_median_error, outside_band, pressure_field_rms, "
+                "pressure_field_tension, cost_to_reach; nearest: "
+                "amplitude_error"},
         Mistake{
-            "UnknownMetric",
-            {"amplitude_error", "amplitude_eror"},
-            "trial.toml:57: gate.metric = \"amplitude_eror\": expected a metric, one of "
-            "amplitude_error, phase_lag, frequency_error, decay_rate, decay_error, "
-            "normalised_rms, "
-            "maximum_residual, time_lag, aligned_rms, largest_magnitude, "
-            "band_energy_error, cross_correlation_lag, spectral_peak_error, rms_error, "
-            "crest_error, trough_error, "
-            "mean_offset, noise_share, initial_value, "
-            "plateau_error, impact_percentile, impact_arrival, impact_rise_time, "
-            "impact_peak_error, "
-            "impulse_error, peak_mean_p_value, peak_ks_p_value, peak_ad_p_value, peak_area, "
-            "peak_median_error, peak_p90_error, outside_band, band_excursion, pressure_field_rms, "
-            "pressure_field_tension, cost_to_reach; nearest: "
-            "amplitude_error"},
-        Mistake{
-            "TimeLagOfWhatSwings",
-            {"metric = \"amplitude_error\"\nunit = \"1\"", "metric = \"time_lag\"\nunit = \"s\""},
-            "trial.toml:56: gate.mode = \"forced\": expected what time_lag is measured on, of "
+            "AlignmentOfWhatSwings",
+            {"metric = \"amplitude_error\"\nunit = \"1\"",
+             "metric = \"aligned_rms\"\nunit = \"1\""},
+            "trial.toml:56: gate.mode = \"forced\": expected what aligned_rms is measured on, of "
             "which there is none"},
         Mistake{"ErrorOfAMetricThatHasNone",
                 {"limit = 0.05", "limit = 0.05\nerror = 0.1"},
@@ -503,7 +502,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "lag is known but for whole periods"},
         Mistake{"LimitOfAQuantityThatNoTankHolds",
                 {"mode = \"forced\"\nmetric = \"amplitude_error\"\nunit = \"1\"\nlimit = 0.05",
-                 "mode = \"whole\"\nmetric = \"maximum_residual\"\nunit = \"m\"\nlimit = 1e9"},
+                 "mode = \"whole\"\nmetric = \"mean_offset\"\nunit = \"m\"\nlimit = 1e9"},
                 "trial.toml:59: gate.limit = 1000000000.0: expected a number > 0 and below 2, in m "
                 "(no elevation exceeds the tank's size"},
         Mistake{

@@ -351,11 +351,9 @@ TEST(CaseParser, ReadsGateRowsOnTheStatisticsOfAWave) {
         .gate.at(0)
         .metric;
   };
-  EXPECT_EQ(row_on("band_energy_error", "forced", "1"), Metric::band_energy_error);
-  EXPECT_EQ(row_on("band_energy_error", "natural_1", "1"), Metric::band_energy_error);
-  EXPECT_EQ(row_on("crest_error", "whole", "1"), Metric::crest_error);
+  EXPECT_EQ(row_on("rms_error", "whole", "1"), Metric::rms_error);
   EXPECT_EQ(row_on("mean_offset", "whole", "m"), Metric::mean_offset);
-  EXPECT_THROW(row_on("crest_error", "forced", "1"), CaseFileError);
+  EXPECT_THROW(row_on("rms_error", "forced", "1"), CaseFileError);
   EXPECT_THROW(row_on("mean_offset", "whole", "1"), CaseFileError);
   EXPECT_THROW(row_on("noise_share", "whole", "1"), CaseFileError);  // has a reference
 }

@@ -185,7 +185,7 @@ TEST(GateOnImpacts, TakesThePressureAtTheirGauge) {
   const CaseDefinition definition =
       read_text(text + row_on("wall_pressure@B", "impact_3", "impact_arrival", "s", limit) +
                 row_on("wall_pressure@B/filtered", "whole", "plateau_error", "1", limit) +
-                row_on("wall_pressure@B", "impact_1", "impact_percentile", "1", bounds));
+                row_on("wall_pressure@B", "impact_1", "impact_peak_error", "1", bounds));
   EXPECT_EQ(definition.gate.at(1).metric, Metric::impact_arrival);
   EXPECT_EQ(definition.gate[1].mode, "impact_3");
   EXPECT_TRUE(definition.gate[1].reference.empty());
@@ -209,8 +209,6 @@ TEST(GateOnImpacts, IsRefusedByItsLine) {
        "gate.mode = \"impact_1\": expected what plateau_error is measured on, which is whole"},
       {row_on(pressure, "impact_1", "impact_arrival", "ms", limit),
        "gate.unit = \"ms\": expected the unit of impact_arrival, which is s"},
-      {row_on(pressure, "impact_1", "impact_percentile", "1", limit),
-       "gate = a row on impact_percentile: expected lower with upper"},
       {row_on(pressure, "impact_1", "impact_arrival", "s", "limit = 0.1\nreference = \"theory\""),
        "gate.reference = \"theory\": expected no reference: impact_arrival is measured on the "
        "published impacts"}};
@@ -228,41 +226,29 @@ TEST(GateOnImpacts, TakesThePeaksOfAnEnsembleAgainstTheTableOfRepeats) {
   const CaseDefinition definition =
       read_text(text_with(table) + "[[gate]]\ncandidate = \"coarse\"\nquantity = \"" + pressure +
                 "\"\nmodes = [\"impact_1\", \"impact_3\"]\n"
-                "limits.peak_ks_p_value = { lower = 0.05, upper = 1 }\nlimits.peak_area = 0.25\n"
+                "limits.peak_ks_p_value = { lower = 0.05, upper = 1 }\n"
                 "limits.peak_median_error = 0.2\nreason = \"r\"\nsource = \"s\"\n");
-  ASSERT_EQ(definition.gate.size(), 7u);
+  ASSERT_EQ(definition.gate.size(), 5u);
   EXPECT_EQ(definition.gate[1].between, (std::pair{0.05, 1.0}));
   EXPECT_TRUE(definition.gate[1].reference.empty());
   const auto said = [&](const std::string& section, const std::string& row) {
     const Workspace workspace;
     return complaint(workspace.write("trial.toml", text_with(section) + row));
   };
-  EXPECT_NE(said(impacts, row_on(pressure, "impact_1", "peak_area", "1", limit))
-                .find("gate.metric = \"peak_area\": expected a metric that needs no peak_table in "
-                      "[impacts], which this case does not have"),
-            std::string::npos);
+  EXPECT_NE(
+      said(impacts, row_on(pressure, "impact_1", "peak_median_error", "1", limit))
+          .find(
+              "gate.metric = \"peak_median_error\": expected a metric that needs no peak_table in "
+              "[impacts], which this case does not have"),
+      std::string::npos);
   EXPECT_NE(said(table, row_on(pressure, "impact_1", "peak_ks_p_value", "1", limit))
                 .find("gate = a row on peak_ks_p_value: expected lower with upper"),
             std::string::npos);
-  EXPECT_NE(said(table, row_on(pressure, "impact_1", "peak_area", "1", bounds))
-                .find("gate = a row on peak_area: expected"),
-            std::string::npos);
-  EXPECT_NE(said(table, row_on(pressure, "whole", "peak_p90_error", "1", limit))
-                .find("gate.mode = \"whole\": expected what peak_p90_error is measured on, one of "
-                      "impact_1"),
-            std::string::npos);
-}
-
-TEST(GateOnImpacts, TakesARiseTimeWhereOneIsPublished) {
-  const std::string row = row_on("wall_pressure@B", "impact_1", "impact_rise_time", "s", limit);
-  const Workspace workspace;
-  EXPECT_NE(complaint(workspace.write("trial.toml", text_with(impacts) + row))
-                .find("gate.metric = \"impact_rise_time\": expected a metric that needs no "
-                      "rise_times_s in [impacts]"),
-            std::string::npos);
-  EXPECT_EQ(
-      read_text(text_with(impacts + "rise_times_s = [0.1, 0.2, 0.3]\n") + row).gate.at(1).metric,
-      Metric::impact_rise_time);
+  EXPECT_NE(
+      said(table, row_on(pressure, "whole", "peak_median_error", "1", limit))
+          .find("gate.mode = \"whole\": expected what peak_median_error is measured on, one of "
+                "impact_1"),
+      std::string::npos);
 }
 
 TEST(GateOnImpacts, NeedsThem) {

@@ -178,12 +178,12 @@ Edit row(const std::string& quantity, const std::string& mode, const std::string
 
 TEST(GateOnAnyQuantity, HasTheUnitOfItsMetricOrOfTheQuantity) {
   EXPECT_EQ(complaint_about(row("force_x", "forced", "phase_lag", "deg")), "");
-  EXPECT_EQ(complaint_about(row("force_x", "whole", "maximum_residual", "N/m")), "");
-  EXPECT_EQ(complaint_about(row("momentum_z", "whole", "time_lag", "s")), "");
-  EXPECT_EQ(complaint_about(row("elevation@right", "whole", "maximum_residual", "m")), "");
-  EXPECT_TRUE(complaint_about(row("force_x", "whole", "maximum_residual", "m"))
+  EXPECT_EQ(complaint_about(row("force_x", "whole", "mean_offset", "N/m")), "");
+  EXPECT_EQ(complaint_about(row("momentum_z", "whole", "aligned_rms", "1")), "");
+  EXPECT_EQ(complaint_about(row("elevation@right", "whole", "mean_offset", "m")), "");
+  EXPECT_TRUE(complaint_about(row("force_x", "whole", "mean_offset", "m"))
                   .starts_with("trial.toml:58: gate.unit = \"m\": expected the unit of "
-                               "maximum_residual, which is N/m"));
+                               "mean_offset, which is N/m"));
   EXPECT_TRUE(complaint_about(row("force_z", "forced", "amplitude_error", "1"))
                   .starts_with("trial.toml:56: gate.mode = \"forced\": expected what "
                                "amplitude_error is measured on, of which there is none"));

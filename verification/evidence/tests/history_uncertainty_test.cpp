@@ -72,6 +72,10 @@ TEST(HistoryUncertainty, IsNoneWithoutACoarserRunThatCanBeRead) {
   EXPECT_TRUE(spacings.widths().empty());
 }
 
+TEST(HistoryUncertainty, IsNoneOfACopyThatWasTouched) {
+  EXPECT_TRUE(Spacings({0.02}, [](double h) { return 1e-7 * h; }).widths().empty());
+}
+
 TEST(HistoryUncertainty, OfPotentialFlowIsWhatItsCoarserRunDiffersBy) {
   Spacings spacings({}, second_order);
   TimeSeries coarse = scaled(elevation_of({}), 1.03);

@@ -96,19 +96,6 @@ TEST(ImpactRows, OnArrivalsAreNeverLessCertainThanTheWindowThatIsSearched) {
       << outcome.message;
 }
 
-// A rise is not sought in a window: from 1 ms to 0.5 s of a peak at the published time.
-TEST(ImpactRows, OnRiseTimesAreAsUncertainAsTheirScatter) {
-  Ensembles ensembles;
-  ensembles.made.definition.impacts->rise_times = RiseTimesDefinition{{0.1, 0.1, 0.1, 0.1}, 0.001};
-  ensembles.add("fine", 0.002, late_by({0, 0}));
-  TimeSeries& slow = ensembles.made.runs.results.at("fine_2").series.at(0);
-  for (std::size_t i = 0; i < slow.time.size(); ++i)
-    if (slow.time[i] > 3.6 && slow.time[i] < 4.073)
-      slow.value[i] = 4816 * (1 - (4.073 - slow.time[i]) / 0.5);
-  const GateOutcome outcome = ensembles.judged(row_of(Metric::impact_rise_time, "impact_2"));
-  EXPECT_GT(outcome.value.half_width, 2) << outcome.message;  // 6.35 times half a second
-}
-
 TEST(ImpactRows, OfAnEnsembleAreViolatedByWhatIsWrongWithAllMembers) {
   const std::vector<double> times{0, 0.001, 0.002, -0.001, 0.001, 0, 0.002};
   const auto judged = [&](Metric metric, const char* mode, double late, double scale, int impacts) {

@@ -6,10 +6,8 @@
 // Measured against known truth (20 values against 102, of normal, lognormal and gamma distributions
 // with a deviation of 30 %, equal or scaled by 1.25; 1000 pairs of each, and 4000 of the lognormal,
 // part of which tests/bootstrap_interval_test.cpp repeats): the interval holds the true ratio of
-// the medians in 95 to 96 %, that of the quantiles of 90 % in 92 to 93 %, and the true area metric
-// in 93 to 94 % where the scale differs. The basic bootstrap holds them in 87, 81 and 83 %, the
-// symmetric one in 95, 93 and 92 %. The gate takes the wider side to both sides (wider_side()),
-// which holds them in 97, 95 and 95 %.
+// the medians in 95 to 96 %, the basic bootstrap in 87 and the symmetric one in 95 %. The gate
+// takes the wider side to both sides (wider_side()), which holds it in 97 %.
 #pragma once
 
 #include <functional>

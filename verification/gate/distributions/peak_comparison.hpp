@@ -1,13 +1,10 @@
 // The peaks of an ensemble against those of the repeats of an experiment: two samples of one
-// impact. A single impact cannot be predicted, its distribution can. With m the mean of the
-// experiment's peaks:
+// impact. A single impact cannot be predicted, its distribution can.
 //   peak_mean_p_value   Welch's test of equal means (two_sample_statistics.hpp)
 //   peak_ks_p_value     Kolmogorov-Smirnov, its p-value by permutation (permutation_test.hpp)
 //   peak_ad_p_value     Anderson-Darling, likewise
-//   peak_area           the area between the two cumulative distributions over m
 //   peak_median_error   the ratio of the medians, less 1
-//   peak_p90_error      the ratio of the quantiles of 90 %, less 1
-// The last three have bootstrap intervals (bootstrap_interval.hpp). A p-value above 5 % does not
+// The last has a bootstrap interval (bootstrap_interval.hpp). A p-value above 5 % does not
 // show that two distributions are equal, but only that these samples do not tell them apart: of a
 // candidate whose peaks are all 25 % too high, with a deviation of 30 %, 20 repeats against 102
 // have p < 5 % in 79 % (mean), 73 % (Kolmogorov-Smirnov) and 82 % (Anderson-Darling) of all cases,
@@ -37,11 +34,11 @@ struct SampleFigure {
 // All are of the unit 1.
 struct PeakComparison {
   Estimate mean_p, ks_p, ad_p;
-  SampleFigure area, median_error, p90_error;
+  SampleFigure median_error;
 };
 
 // Throws ComparisonError for fewer than `fewest_repeats` peaks on one of the sides, and where the
-// experiment's mean, its median or its quantile of 90 % is not above zero.
+// experiment's mean or its median is not above zero.
 PeakComparison compare_peaks(const Distribution& candidate, const Distribution& experiment);
 
 // One of these metrics. Throws ComparisonError as compare_peaks() does, and std::logic_error for

@@ -55,14 +55,4 @@ Estimate permutation_p_value(const Distribution& one, const Distribution& other,
   return {p, half_width(p, as_large, divisions.count)};
 }
 
-double permutation_quantile(const Distribution& one, const Distribution& other,
-                            const TwoSampleStatistic& statistic, double probability,
-                            const SeededTrials& divisions) {
-  const PooledSamples pooled({one, other});
-  std::vector<double> values;
-  divide(pooled, one.sorted().size(), statistic, divisions,
-         [&](double value) { values.push_back(value); });
-  return Distribution("statistics of random divisions", std::move(values)).quantile(probability);
-}
-
 }  // namespace slosh

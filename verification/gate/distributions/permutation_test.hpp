@@ -30,10 +30,4 @@ Estimate permutation_p_value(const Distribution& one, const Distribution& other,
                              const TwoSampleStatistic& statistic,
                              const SeededTrials& divisions = permutations);
 
-// The quantile of a statistic's values over random divisions: what it exceeds by chance in
-// 1 - probability of all cases.
-double permutation_quantile(const Distribution& one, const Distribution& other,
-                            const TwoSampleStatistic& statistic, double probability,
-                            const SeededTrials& divisions);
-
 }  // namespace slosh

@@ -61,17 +61,6 @@ double PooledSamples::kolmogorov_smirnov(const std::vector<int>& counts) const {
   return largest / (own * (n - own));
 }
 
-double PooledSamples::area(const std::vector<int>& counts) const {
-  const double n = static_cast<double>(size_), own = sum_of(counts);
-  double up_to = 0, all_up_to = 0, sum = 0;
-  for (std::size_t j = 0; j + 1 < counts.size(); ++j) {
-    up_to += counts[j];
-    all_up_to += counts_[j];
-    sum += std::abs(n * up_to - own * all_up_to) * (values_[j + 1] - values_[j]);
-  }
-  return sum / (own * (n - own));
-}
-
 double PooledSamples::anderson_darling_sum(const std::vector<int>& counts) const {
   const double n = static_cast<double>(size_), own = sum_of(counts);
   double before = 0, sum = 0;

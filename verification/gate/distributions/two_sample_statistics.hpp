@@ -34,8 +34,6 @@ class PooledSamples {
   // For a sample of the pooled values, given by its counts, and the sample of all the others.
   double kolmogorov_smirnov(const std::vector<int>& counts) const;
   double anderson_darling(const std::vector<int>& counts) const;
-  // The area between the two cumulative distributions, in the values' unit (distribution.hpp).
-  double area(const std::vector<int>& counts) const;
 
   // A^2 of all the samples.
   double anderson_darling(const std::vector<Distribution>& samples) const;

@@ -85,7 +85,7 @@ TEST(HolmCorrection, HasTheRowsOfOneCandidateAndPressureAsAFamily) {
   const std::vector<GateRow> rows{own,
                                   row_of("a", Metric::peak_ad_p_value, "impact_1", "p"),
                                   row_of("a", Metric::peak_ks_p_value, "impact_2", "p"),
-                                  row_of("a", Metric::peak_area, "impact_2", "p"),
+                                  row_of("a", Metric::peak_median_error, "impact_2", "p"),
                                   row_of("a", Metric::peak_ks_p_value, "impact_2", "p/filtered"),
                                   row_of("b", Metric::peak_ks_p_value, "impact_1", "p")};
   const std::vector<GateRow> rest = rest_of_family(own, rows);

@@ -14,8 +14,7 @@ namespace slosh::impact_metrics_test {
 namespace {
 
 double limit_of(Metric metric) {
-  if (metric == Metric::impact_arrival) return 0.05;        // [s]
-  return metric == Metric::impact_rise_time ? 0.001 : 0.2;  // [s], 1
+  return metric == Metric::impact_arrival ? 0.05 : 0.2;  // [s], 1
 }
 
 GateRow row_of(Metric metric, const std::string& mode) {
@@ -25,26 +24,20 @@ GateRow row_of(Metric metric, const std::string& mode) {
   row.mode = mode;
   row.metric = metric;
   row.unit = metric_unit(metric, "Pa");
-  if (metric == Metric::impact_percentile)
-    row.between = {0.05, 0.95};
-  else
-    row.limit = limit_of(metric);
+  row.limit = limit_of(metric);
   return row;
 }
 
-// The case publishes the arrivals, rise times and impulses of a run that does as the experiment.
+// The case publishes the arrivals and impulses of a run that does as the experiment.
 CaseDefinition case_with_arrivals() {
   const TimeSeries pressure = pressure_of({});
   CaseDefinition definition = impact_case();
   ImpactsDefinition& impacts = definition.impacts.value();
   impacts.arrivals = ArrivalsDefinition{.share = 0.5, .times = {}};
   impacts.impulses = ImpulsesDefinition{.duration = 0.05, .values = {}};
-  impacts.rise_times = RiseTimesDefinition{};
   for (std::size_t n = 0; n < impacts.times.size(); ++n) {
     impacts.arrivals->times.push_back(arrival_in(pressure, n, definition).value());
     impacts.impulses->values.push_back(impulse_in(pressure, n, definition).value());
-    const ImpactPeak peak = impacts_in(pressure, definition).at(n).value();
-    impacts.rise_times->values.push_back(rise_time(pressure, peak).value());
   }
   return definition;
 }
@@ -65,9 +58,8 @@ GateOutcome judge(const GateRow& row, const TimeSeries& pressure,
 }
 
 // Each of them has a row for each impact.
-const std::vector<Metric> metrics_of_one_impact{Metric::impact_arrival, Metric::impact_rise_time,
-                                                Metric::impact_peak_error,
-                                                Metric::impact_percentile, Metric::impulse_error};
+const std::vector<Metric> metrics_of_one_impact{Metric::impact_arrival, Metric::impact_peak_error,
+                                                Metric::impulse_error};
 
 std::vector<GateRow> all_rows() {
   std::vector<GateRow> rows{row_of(Metric::plateau_error, "whole")};
@@ -108,10 +100,6 @@ TEST(ImpactMetrics, AreWhatTheyAreDefinedAs) {
         judge(row_of(Metric::impact_arrival, mode), pressure_of({.late = 0.012})).value.value,
         0.012, 1e-9);
   EXPECT_NEAR(value(Metric::plateau_error, "whole"), 0.1, 1e-6);
-  // 1.1 times the mean lies above the repeats of 0.5 + i / 39 <= 1.1, i = 0 ... 23, of 40.
-  EXPECT_DOUBLE_EQ(value(Metric::impact_percentile, "impact_2"), 24 / 40.0);
-  EXPECT_EQ(judge(row_of(Metric::impact_percentile, "impact_2"), pressure).message,
-            "60 % within 5 % to 95 %");
 }
 
 TEST(ImpactMetrics, AreViolatedByARunThatIsLate) {
@@ -120,24 +108,18 @@ TEST(ImpactMetrics, AreViolatedByARunThatIsLate) {
         << late;
 }
 
-TEST(ImpactMetrics, OfThePeakTheRiseTimeAndTheImpulseAreFreeOfWhenTheImpactComes) {
+TEST(ImpactMetrics, OfThePeakAndTheImpulseAreFreeOfWhenTheImpactComes) {
   for (const double late : {0.06, -0.06})
-    for (const Metric metric : {Metric::impact_peak_error, Metric::impact_percentile,
-                                Metric::impact_rise_time, Metric::impulse_error}) {
-      const TimeSeries pressure = pressure_of({.late = late});
-      EXPECT_EQ(verdict(metric, pressure), Verdict::pass) << metric_name(metric) << " by " << late;
-      if (metric != Metric::impact_percentile) {
-        EXPECT_EQ(verdict(metric, pressure, 1e-6), Verdict::pass)
-            << metric_name(metric) << " by " << late;
-      }
-    }
+    for (const Metric metric : {Metric::impact_peak_error, Metric::impulse_error})
+      EXPECT_EQ(verdict(metric, pressure_of({.late = late}), 1e-6), Verdict::pass)
+          << metric_name(metric) << " by " << late;
 }
 
 TEST(ImpactMetrics, AreViolatedByAPressureThatIsScaled) {
   for (const double scale : {0.4, 1.6}) {
     const TimeSeries pressure = pressure_of({.scale = scale});
-    for (const Metric metric : {Metric::plateau_error, Metric::impact_percentile,
-                                Metric::impact_peak_error, Metric::impulse_error})
+    for (const Metric metric :
+         {Metric::plateau_error, Metric::impact_peak_error, Metric::impulse_error})
       EXPECT_EQ(verdict(metric, pressure), Verdict::violated) << metric_name(metric) << scale;
   }
 }
@@ -157,12 +139,6 @@ TEST(ImpactMetrics, OfTheArrivalHardlyMoveWithTheScaleUntilThePressureNeverReach
     EXPECT_EQ(verdict(Metric::impact_arrival, pressure_of({.scale = scale}), 0.002), Verdict::pass)
         << scale;
   EXPECT_EQ(verdict(Metric::impact_arrival, pressure_of({.scale = 0.49})), Verdict::violated);
-}
-
-TEST(ImpactMetrics, OfTheRiseTimeAreThoseOfAScaledPressureToo) {
-  for (const double scale : {0.4, 0.9, 1.1, 1.6})
-    EXPECT_EQ(verdict(Metric::impact_rise_time, pressure_of({.scale = scale}), 1e-6), Verdict::pass)
-        << scale;
 }
 
 TEST(ImpactMetrics, AreViolatedByAnImpactThatDoesNotCome) {
@@ -189,7 +165,7 @@ TEST(ImpactMetrics, FindTheImpactsOfALiquidWhosePeaksAreLow) {
     for (double& peak : repeats) peak *= 0.16;
   const TimeSeries pressure = pressure_of({.scale = 0.16});
   for (const char* mode : {"impact_1", "impact_2", "impact_3", "impact_4"})
-    for (const Metric metric : {Metric::impact_arrival, Metric::impact_percentile}) {
+    for (const Metric metric : {Metric::impact_arrival, Metric::impact_peak_error}) {
       const GateOutcome outcome = judge(row_of(metric, mode), pressure, oil);
       EXPECT_EQ(outcome.verdict, Verdict::pass) << outcome.message;
     }
@@ -242,19 +218,6 @@ TEST(ImpactMetrics, OfTheImpulseAreNotComparedWhereThePressureEndsWithinIt) {
   const GateRow row = row_of(Metric::impulse_error, "impact_4");
   EXPECT_EQ(judge(row, pressure_of({.until = 7.8}), definition).verdict, Verdict::not_compared);
   EXPECT_EQ(judge(row, pressure_of({}), definition).verdict, Verdict::pass);
-}
-
-TEST(ImpactMetrics, OnTheRepeatsAreNotSuppliedWithoutTheirTable) {
-  CaseDefinition definition = published_case();
-  definition.impacts->repeats.clear();
-  const auto outcome = [&](Metric metric) {
-    return judge(row_of(metric, "impact_1"), pressure_of({}), definition);
-  };
-  EXPECT_EQ(outcome(Metric::impact_percentile).verdict, Verdict::not_supplied);
-  EXPECT_EQ(outcome(Metric::impact_percentile).message,
-            "the table of the experiment's repeats is not supplied: expected peaks.txt, below the "
-            "directory of --experiments or SLOSH_EXPERIMENTS; where to get the original: a paper");
-  EXPECT_EQ(outcome(Metric::impact_arrival).verdict, Verdict::pass);
 }
 
 TEST(ImpactMetrics, OfACaseWithoutImpactsAreNotCompared) {
@@ -318,44 +281,6 @@ TEST(ImpactMetrics, OfTheArrivalTheImpulseAndThePeakAreWhatTheyAreDefinedAs) {
   EXPECT_GT(value(Metric::impulse_error, {.scale = 1.3}), 0.28);
   EXPECT_LT(value(Metric::impact_arrival, {.scale = 1.3}),
             0);  // the share is of the published peak
-}
-
-TEST(ImpactMetrics, OfTheRiseTimeAreThatOfTheExperimentOrAreViolated) {
-  CaseDefinition definition = impact_case();
-  const GateRow row = row_of(Metric::impact_rise_time, "impact_2");
-  EXPECT_EQ(judge(row, pressure_of({}), definition).verdict, Verdict::not_compared);
-  // A bell on a plateau that begins with it: the pressure jumps to the plateau at the peak alone,
-  // so that half the peak is reached where the bell has (4816 / 2) / 4146.
-  const double half = 2 * std::sqrt(8e-6 * std::log(4146 / 2408.0));
-  definition.impacts->rise_times = RiseTimesDefinition{{half, half, half, half}};
-  EXPECT_NEAR(judge(row, pressure_of({.sampling = 1e-4}), definition).value.value, 0, 1e-4);
-  EXPECT_EQ(judge(row, pressure_of({.sampling = 1e-4}), definition).verdict, Verdict::pass);
-  TimeSeries slow = pressure_of({.sampling = 1e-4});
-  for (double& t : slow.time) t = 4.073 + 2 * (t - 4.073);  // of twice the rise time
-  slow.time.erase(slow.time.begin(), slow.time.begin() + 10000);
-  slow.value.erase(slow.value.begin(), slow.value.begin() + 10000);
-  EXPECT_EQ(judge(row, slow,
-                  [&] {
-                    CaseDefinition one = definition;
-                    one.impacts->times = {2.375, 4.073};
-                    one.impacts->peak_means.resize(2);
-                    return one;
-                  }())
-                .verdict,
-            Verdict::violated);
-  EXPECT_EQ(judge(row, pressure_of({.impacts = 1}), definition).verdict, Verdict::violated);
-}
-
-TEST(ImpactMetrics, OfTheRiseTimeAreViolatedByEachImpactThatRisesInTwiceTheTime) {
-  for (std::size_t n = 0; n < 4; ++n) {
-    TimeSeries slow = pressure_of({});
-    const double impact = published_case().impacts->times[n];
-    for (double& t : slow.time) t = impact + 2 * (t - impact);
-    const GateRow row = row_of(Metric::impact_rise_time, "impact_" + std::to_string(n + 1));
-    const GateOutcome outcome = judge(row, slow);
-    EXPECT_EQ(outcome.verdict, Verdict::violated) << row.mode << outcome.message;
-    EXPECT_NEAR(outcome.value.value, published_case().impacts->rise_times->values[n], 1e-9);
-  }
 }
 
 TEST(ImpactMetrics, TellTheNumbersOfEachImpact) {

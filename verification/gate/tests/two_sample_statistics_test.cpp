@@ -57,12 +57,6 @@ TEST(TwoSampleStatistics, KolmogorovAndSmirnovsIsTheLargestDistanceOfTheSteps) {
   EXPECT_EQ(kolmogorov_smirnov(of({1, 2}), of({2, 2, 2, 5})), 0.5);
 }
 
-TEST(TwoSampleStatistics, TheAreaOfPooledCountsIsTheAreaMetric) {
-  for (const Distribution& one : laboratories)
-    for (const Distribution& other : laboratories)
-      EXPECT_NEAR(of_two(&PooledSamples::area, one, other), area_metric(one, other), 1e-12);
-}
-
 TEST(TwoSampleStatistics, OfValuesThatAreAllEqualAreZero) {
   const Distribution one = of({5, 5}), other = of({5, 5, 5});
   EXPECT_EQ(kolmogorov_smirnov(one, other), 0);

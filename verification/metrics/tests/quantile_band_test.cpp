@@ -37,10 +37,6 @@ double outside(const TimeSeries& candidate, TimeWindow part = window) {
   return share_outside(against_band(candidate).margin.value(), part);
 }
 
-double excursion(const TimeSeries& candidate, TimeWindow part = window) {
-  return largest_excursion(against_band(candidate).margin.value(), part);
-}
-
 TimeSeries moved(double by) {
   return sampled([by](double t) { return median(t) + by; });
 }
@@ -48,15 +44,10 @@ TimeSeries moved(double by) {
 TEST(QuantileBand, HoldsTheMedianAndAllUpToItsEdges) {
   for (const double by : {0.0, -0.99, 1.99}) {
     EXPECT_EQ(outside(moved(by)), 0) << by;
-    EXPECT_EQ(excursion(moved(by)), 0) << by;
   }
 }
 
-TEST(QuantileBand, MeasuresTheDistanceToTheNearerEdge) {
-  EXPECT_NEAR(excursion(moved(2.5)), 0.5, 1e-9);
-  EXPECT_NEAR(excursion(moved(-4)), 3, 1e-9);
-  EXPECT_EQ(outside(moved(2.5)), 1);
-}
+TEST(QuantileBand, MeasuresTheDistanceToTheNearerEdge) { EXPECT_EQ(outside(moved(2.5)), 1); }
 
 TEST(QuantileBand, CountsTheTimeOutsideAndNotTheSamples) {
   // It crosses the upper edge at 4 s and is outside for six tenths of the time, between samples
@@ -64,7 +55,6 @@ TEST(QuantileBand, CountsTheTimeOutsideAndNotTheSamples) {
   const auto ramp = [](double t) { return median(t) + 0.5 * t; };
   EXPECT_NEAR(outside(sampled(ramp)), 0.6, 1e-9);
   EXPECT_NEAR(outside(sampled(ramp, 0.03)), 0.6, 1e-3);
-  EXPECT_NEAR(excursion(sampled(ramp)), 3, 1e-9);
 }
 
 // A band about straight lines, sampled once a second.
@@ -82,7 +72,6 @@ TEST(QuantileBand, HoldsAFrontThatCrossesItBetweenTwoSamplesForThePartOfThatTime
   EXPECT_NEAR(share_outside(rising, {0, 2}), 1.75 / 2, 1e-12);
   EXPECT_NEAR(share_outside(rising, {0.25, 0.5}), 0, 1e-12);
   EXPECT_NEAR(share_outside(rising, {0, 0.4}), 0.25 / 0.4, 1e-12);
-  EXPECT_NEAR(largest_excursion(rising, {0, 2}), 2, 1e-12);
   EXPECT_NEAR(share_outside(margin_of({3, -1}, {0, 0}, {1, 1}), {0, 1}), 0.75, 1e-12);
   // The edges move too: the front meets the lower one at 0.25 s and the upper one at 0.6 s.
   EXPECT_NEAR(share_outside(margin_of({-1, 4}, {0, 1}, {2, 2}), {0, 1}), 0.65, 1e-12);
@@ -95,7 +84,6 @@ TEST(QuantileBand, IsLeftAtTheEdgeThatACandidateCrossesAndNotAtTheOneThatWasNear
   // The candidate falls from just below the upper edge and crosses the lower one at 9 / 19 s.
   const TimeSeries falling = margin_of({0.9, -1}, {0, 0}, {1, 1});
   EXPECT_NEAR(share_outside(falling, {0, 1}), 10.0 / 19, 1e-12);
-  EXPECT_NEAR(largest_excursion(falling, {0, 1}), 1, 1e-12);
 }
 
 TEST(QuantileBand, CoversAWindowThatEndsWithinOneIntervalThoughTheMarginHasCorners) {
@@ -108,7 +96,6 @@ TEST(QuantileBand, IsTakenOverAPartOfTheWindow) {
   const TimeSeries ramp = sampled([](double t) { return median(t) + 0.5 * t; });
   EXPECT_EQ(outside(ramp, {1, 3.995}), 0);
   EXPECT_NEAR(outside(ramp, {3.005, 5.005}), 1.005 / 2, 1e-9);
-  EXPECT_NEAR(excursion(ramp, {3, 6.005}), 0.5 * 6.005 - 2, 1e-9);
   EXPECT_THROW(outside(ramp, {4, 11}), ComparisonError);
   EXPECT_THROW(outside(ramp, {4, 4}), ComparisonError);
 }
@@ -116,7 +103,6 @@ TEST(QuantileBand, IsTakenOverAPartOfTheWindow) {
 TEST(QuantileBand, NeverHoldsANumberThatIsNone) {
   TimeSeries margin{"margin", "Pa", {0, 1, 2, 3}, {1, 1, not_a_number, 1}};
   EXPECT_TRUE(std::isnan(share_outside(margin, {0, 3})));
-  EXPECT_TRUE(std::isnan(largest_excursion(margin, {0, 3})));
   EXPECT_EQ(share_outside(margin, {0, 1}), 0);
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double none : {not_a_number, infinite, -infinite})

@@ -49,15 +49,6 @@ TEST(Distribution, HasQuantilesBetweenItsSortedValues) {
     EXPECT_THROW(sample.quantile(wrong), ComparisonError);
 }
 
-TEST(Distribution, HasACdfThatStepsUpAtItsValues) {
-  const Distribution sample = of({1, 2, 2, 5});
-  EXPECT_EQ(sample.cumulative(0.99), 0);
-  EXPECT_EQ(sample.cumulative(1), 0.25);
-  EXPECT_EQ(sample.cumulative(1.99), 0.25);
-  EXPECT_EQ(sample.cumulative(2), 0.75);
-  EXPECT_EQ(sample.cumulative(5), 1);
-}
-
 TEST(Distribution, TellsWhereAValueFalls) {
   const Distribution sample = of({1, 2, 2, 5});
   EXPECT_EQ(sample.percentile(0), 0);
@@ -98,51 +89,6 @@ TEST(Distribution, ScalesAndShiftsWithItsValues) {
   EXPECT_NEAR(moved.quantile(0.37), 0.01 * sample.quantile(0.37) + 3, 1e-12);
   EXPECT_NEAR(moved.central_90_percent().high, 0.01 * sample.central_90_percent().high + 3, 1e-12);
   EXPECT_EQ(moved.percentile(0.01 * 4321 + 3), sample.percentile(4321));
-}
-
-TEST(AreaMetric, IsTheAreaBetweenTheStepsByHand) {
-  // F1 - F2 is 1/2 on (0, 1), 0 on (1, 2), 1/2 on (2, 4).
-  EXPECT_DOUBLE_EQ(area_metric(of({0, 2}), of({1, 4})), 1.5);
-  // For samples of unequal sizes F1 - F2 is 1/3 - 0 on (1, 2), 2/3 - 1/2 on (2, 3), 2/3 - 1 on (3,
-  // 6).
-  EXPECT_DOUBLE_EQ(area_metric(of({1, 2, 6}), of({2, 3})), 1.0 / 3 + 1.0 / 6 + 1);
-}
-
-TEST(AreaMetric, IsZeroForTheSameCdfOnly) {
-  EXPECT_EQ(area_metric(of({3, 1, 2}), of({1, 2, 3})), 0);
-  EXPECT_NEAR(area_metric(of({1, 2, 3}), of({1, 1, 2, 2, 3, 3})), 0, 1e-15);
-  // The means and deviations are equal, the third moments are not.
-  EXPECT_DOUBLE_EQ(area_metric(of({0, 0, 3}), of({2, 2, -1})), 4.0 / 3);
-}
-
-TEST(AreaMetric, OfSingleValuesIsTheirDistanceAndOfAValueAndASampleTheMeanDistance) {
-  EXPECT_DOUBLE_EQ(area_metric(of({4}), of({7})), 3);
-  EXPECT_DOUBLE_EQ(area_metric(of({4}), of({1, 2, 9})), (3.0 + 2 + 5) / 3);
-}
-
-TEST(AreaMetric, IsSymmetricAndScalesAndShiftsWithTheData) {
-  const auto one = peaks(1), other = peaks(2, 4500);
-  const double area = area_metric(of(one), of(other));
-  EXPECT_DOUBLE_EQ(area_metric(of(other), of(one)), area);
-  EXPECT_NEAR(area_metric(of(mapped(one, 0.01, 0)), of(mapped(other, 0.01, 0))), 0.01 * area,
-              1e-12 * area);
-  EXPECT_NEAR(area_metric(of(mapped(one, 1, 9)), of(mapped(other, 1, 9))), area, 1e-12 * area);
-  EXPECT_NEAR(area_metric(of(one), of(mapped(one, 1, 250))), 250, 1e-9);
-  // Every value grows by the factor, so the area is the growth of the mean.
-  EXPECT_NEAR(area_metric(of(one), of(mapped(one, 1.1, 0))), 0.1 * of(one).mean(), 1e-9);
-}
-
-TEST(AreaMetric, SeesATailThatWasCutOff) {
-  // The values 3 and 5 of four are cut to 2, by 1 and 3.
-  EXPECT_DOUBLE_EQ(area_metric(of({1, 2, 3, 5}), of({1, 2, 2, 2})), 1);
-  auto cut = peaks(1);
-  std::sort(cut.begin(), cut.end());
-  cut.resize(48);  // the highest fifth is gone
-  const Distribution whole = of(peaks(1)), rest = of(cut);
-  EXPECT_LT(rest.mean(), whole.mean());
-  EXPECT_LT(rest.central_90_percent().high, whole.central_90_percent().high);
-  // One cdf is nowhere below the other, so that the area is the difference of the means.
-  EXPECT_NEAR(area_metric(whole, rest), whole.mean() - rest.mean(), 1e-9);
 }
 
 }  // namespace

@@ -72,5 +72,27 @@ TEST(SensorLimits, DoNotTakeARestBeforeOrAfterTheMotionForACrest) {
   EXPECT_FALSE(sensor_limits(sampled([](double) { return 2.0; }, 0, 8)).step);
 }
 
+TEST(SensorLimits, FindAClippedCrestWhoseReadingsJitter) {
+  for (const double jitter : {1e-9, 1e-7, 1e-5, 5e-4}) {
+    int count = 0;
+    const auto read = [&](double t) {
+      const double cut = 0.9 - jitter * (count++ % 3);
+      return std::min(wave(t), cut);
+    };
+    EXPECT_TRUE(sensor_limits(sampled(read, 0, 40)).highest) << jitter;
+  }
+}
+
+TEST(SensorLimits, DoNotTakeARoundOrAPointedCrestForAFlat) {
+  for (const double interval : {0.0001, 0.001, 0.01}) {
+    const auto pointed = [](double t) { return -std::abs(std::sin(t)); };
+    for (const TimeSeries& one :
+         {sampled(wave, 0, 12, interval), sampled(pointed, 0, 12, interval)}) {
+      EXPECT_FALSE(sensor_limits(one).highest) << interval;
+      EXPECT_FALSE(sensor_limits(one).lowest) << interval;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace slosh::sensor_limits_test

@@ -85,23 +85,5 @@ TEST(PowerSpectrum, RefusesASeriesThatIsNotFiniteOrTooShort) {
   EXPECT_THROW(power_spectrum(series, {0, 20}), ComparisonError);
 }
 
-TEST(BandEnergy, IsTheVarianceOfTheTonesInTheBandAlone) {
-  const auto series = sampled(
-      [](double t) {
-        return 5 + 0.2 * std::sin(two_pi * 0.77 * t + 1) + 0.3 * std::sin(two_pi * 1.54 * t);
-      },
-      0, 24);
-  const Spectrum spectrum = power_spectrum(series, {0, 24});
-  EXPECT_NEAR(band_energy(spectrum, 0.8 * 0.77, 1.2 * 0.77), 0.02, 0.02 * 0.005);
-  EXPECT_NEAR(band_energy(spectrum, 0.8 * 1.54, 1.2 * 1.54), 0.045, 0.045 * 0.005);
-  EXPECT_LT(band_energy(spectrum, 1.0, 1.3), 0.001 * 0.02);
-}
-
-TEST(BandEnergy, IsNoNumberWhereTheWindowCannotResolveTheBand) {
-  const auto series = sampled([](double t) { return std::sin(two_pi * 0.77 * t); }, 0, 9 / 0.77);
-  const Spectrum spectrum = power_spectrum(series, {0, 9 / 0.77});
-  EXPECT_TRUE(std::isnan(band_energy(spectrum, 0.8 * 0.77, 1.2 * 0.77)));
-}
-
 }  // namespace
 }  // namespace slosh::spectrum_test

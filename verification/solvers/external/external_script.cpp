@@ -1,6 +1,7 @@
 #include "verification/solvers/external/external_script.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -33,6 +34,21 @@ bool begins_as_script(const fs::path& file) {
   return std::ifstream(file, std::ios::binary).read(head, 2) && head[0] == '#' && head[1] == '!';
 }
 
+// Whether another run of its method has another spacing and the same command, which does not name
+// it. The placeholders are still in the command.
+bool ignores_spacing(const ExternalRun& external, const CaseDefinition& definition) {
+  if (!external.particle_spacing ||
+      fmt::format("{}", fmt::join(external.command, " ")).find("{particle_spacing_m}") !=
+          std::string::npos)
+    return false;
+  return std::any_of(definition.runs.begin(), definition.runs.end(), [&](const auto& run) {
+    const auto* other = std::get_if<ExternalRun>(&run.solver);
+    return other && other->method == external.method &&
+           other->particle_spacing != external.particle_spacing &&
+           other->command == external.command;
+  });
+}
+
 }  // namespace
 
 std::string unlisted_script(const ExternalRun& external, const CaseDefinition& definition) {
@@ -50,6 +66,11 @@ std::string unlisted_script(const ExternalRun& external, const CaseDefinition& d
 std::string script_doubt(const RunDefinition& run, const CaseDefinition& definition) {
   const auto* external = std::get_if<ExternalRun>(&run.solver);
   const bool has_place = external && !definition.file.empty();  // from which its files are found
+  if (external && ignores_spacing(*external, definition))
+    return fmt::format(
+        "run {}: its command has no {{particle_spacing_m}}, so that the runs of {} may be one and "
+        "the same",
+        run.name, external->method);
   const std::string script = has_place ? unlisted_script(*external, definition) : "";
   if (script.empty()) return "";
   return fmt::format(

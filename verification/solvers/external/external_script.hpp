@@ -1,4 +1,5 @@
-// Whether a result of an external program may be kept though the program has changed.
+// What is doubtful about the results of an external program: whether they are kept though the
+// program has changed, and whether it knows its particle spacing.
 #pragma once
 
 #include <string>
@@ -12,7 +13,8 @@ namespace slosh {
 // and for the drivers that Slosh ships.
 std::string unlisted_script(const ExternalRun& external, const CaseDefinition& definition);
 
-// "run mine: what python3 loads is no part of its key, ..."; empty where nothing is doubtful.
+// "run mine: what python3 loads is no part of its key, ...", and that the runs of one method have
+// several spacings of which its command has none; empty where nothing is doubtful.
 std::string script_doubt(const RunDefinition& run, const CaseDefinition& definition);
 
 }  // namespace slosh

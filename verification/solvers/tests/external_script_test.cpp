@@ -50,5 +50,24 @@ TEST_F(UnlistedScript, IsNoneOfAProgramOfADeclaredInputOrOfOurDriver) {
   EXPECT_EQ(script({"{peers_directory}/pysph_tank.py"}), "");
 }
 
+TEST_F(UnlistedScript, ACommandWithoutTheSpacingThatItsRunsDifferInIsDoubtful) {
+  CaseDefinition definition = sample_case();
+  const auto add = [&](double spacing, std::vector<std::string> command) {
+    ExternalRun external;
+    external.command = std::move(command);
+    external.method = "mine";
+    external.particle_spacing = spacing;
+    RunDefinition run{};
+    run.name = "mine";
+    run.solver = external;
+    definition.runs.push_back(run);
+    return script_doubt(definition.runs.back(), definition);
+  };
+  EXPECT_EQ(add(0.02, {"./solve"}), "") << "a single spacing";
+  EXPECT_NE(add(0.01, {"./solve"}).find("no {particle_spacing_m}"), std::string::npos);
+  EXPECT_EQ(add(0.01, {"./solve", "--dx={particle_spacing_m}"}), "");
+  EXPECT_EQ(add(0.005, {"./solve", "fine.cfg"}), "") << "a command of its own";
+}
+
 }  // namespace
 }  // namespace slosh::external_script_test

@@ -20,7 +20,7 @@ namespace {
 using std::numbers::pi;
 
 // In first natural periods: between these times the estimate is a straight line.
-constexpr double coarsest_interval = 1.0 / 200;
+constexpr double coarsest_interval = 1.0 / 100;
 constexpr double deepest = 3;  // in lengths; no wave feels a bottom below it
 
 reference::Tank tank_like(const CaseDefinition& definition) {
@@ -56,7 +56,14 @@ reference::ThirdOrderWaves waves_of(const CaseDefinition& definition, double sca
   return waves;
 }
 
-// Straight lines between the values at times[0], times[1], ..., equally far apart.
+double share_of(const std::vector<double>& whole, const std::vector<double>& model) {
+  const double product = std::inner_product(whole.begin(), whole.end(), model.begin(), 0.0);
+  const double square = std::inner_product(model.begin(), model.end(), model.begin(), 0.0);
+  return square > 0 ? product / square : 1;
+}
+
+}  // namespace
+
 std::vector<double> at_times(const std::vector<double>& value, double interval,
                              const std::vector<double>& times) {
   std::vector<double> found;
@@ -67,14 +74,6 @@ std::vector<double> at_times(const std::vector<double>& value, double interval,
   }
   return found;
 }
-
-double share_of(const std::vector<double>& whole, const std::vector<double>& model) {
-  const double product = std::inner_product(whole.begin(), whole.end(), model.begin(), 0.0);
-  const double square = std::inner_product(model.begin(), model.end(), model.begin(), 0.0);
-  return square > 0 ? product / square : 1;
-}
-
-}  // namespace
 
 std::vector<std::vector<double>> beyond_linear(const CaseDefinition& definition,
                                                const std::vector<double>& at_right,
@@ -89,16 +88,18 @@ std::vector<std::vector<double>> beyond_linear(const CaseDefinition& definition,
                                    definition.duration);
   std::vector<double> times;
   for (int i = 0; (i - 1) * interval < definition.duration; ++i) times.push_back(i * interval);
-  const auto solved = [&](double scale, const std::vector<double>& from_middle) {
+  const auto solved = [&](double scale, const std::vector<double>& from_middle, bool linear_alone) {
     reference::ThirdOrderWaves waves = waves_of(definition, scale);
     waves.kinematic_viscosity = kinematic_viscosity;
+    waves.linear_alone = linear_alone;
     return third_order_waves(waves, from_middle, times);
   };
-  const double scale = share_of(at_right, at_times(solved(1, {half}).linear[0], interval, samples));
+  const double scale =
+      share_of(at_right, at_times(solved(1, {half}, true).linear[0], interval, samples));
   std::vector<double> places;
   for (const double one : x) places.push_back(std::clamp(one - middle, -half, half));
   std::vector<std::vector<double>> found;
-  for (const std::vector<double>& one : solved(scale, places).beyond)
+  for (const std::vector<double>& one : solved(scale, places, false).beyond)
     found.push_back(at_times(one, interval, samples));
   return found;
 }

@@ -25,6 +25,11 @@ std::vector<std::vector<double>> beyond_linear(const CaseDefinition& definition,
                                                const std::vector<double>& x,
                                                double kinematic_viscosity = 0);
 
+// Returns straight lines between values that are an interval apart, from 0 s on, at times [s]; the
+// last value after them. Requires two values.
+std::vector<double> at_times(const std::vector<double>& value, double interval,
+                             const std::vector<double>& times);
+
 // Adds the series moved by scale times `rise`, with the suffix `nonlinear`, to the result where all
 // of it is finite.
 void add_moved(TimeSeries series, const std::vector<double>& rise, double scale, RunResult& result);

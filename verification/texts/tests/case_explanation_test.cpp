@@ -104,17 +104,18 @@ TEST(CaseExplanation, SaysThatACaseWithoutRowsGatesNothing) {
 }
 
 TEST(CaseExplanation, TellsEveryKindOfBound) {
-  GateRow row = row_of(Metric::maximum_residual, "m");
+  GateRow row = row_of(Metric::mean_offset, "m");
   row.limit = 0.01;
-  EXPECT_EQ(row_text(row),
-            "fine: largest difference of elevation@right against theory must not exceed 0.01 m "
-            "either way.");
-  row = row_of(Metric::impact_percentile, "1");
+  EXPECT_EQ(
+      row_text(row),
+      "fine: mean less the reference's of elevation@right against theory must not exceed 0.01 m "
+      "either way.");
+  row = row_of(Metric::impact_peak_error, "1");
   row.reference.clear();
   row.mode = "impact_2";
   row.between = {0.05, 0.95};
   EXPECT_EQ(row_text(row),
-            "fine: share of the experiment's repeats that peak lower of elevation@right "
+            "fine: error of the peak of an impact of elevation@right "
             "(impact_2) must lie between 5 % and 95 %.");
   row = row_of(Metric::normalised_rms, "1");
   row.improves_on = "coarse";
