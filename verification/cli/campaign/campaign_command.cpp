@@ -11,16 +11,17 @@
 
 #include "reports/pages/write_report.hpp"
 #include "reports/summary/campaign_report.hpp"
+#include "reports/summary/results_json.hpp"
 #include "sph/threads.hpp"
 #include "verification/assessment/campaign_cost.hpp"
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/campaign/known_drawings.hpp"
 #include "verification/cli/campaign/assessed_campaign.hpp"
 #include "verification/cli/campaign/campaign_history.hpp"
+#include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/cli/campaign/report_of_all.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
-#include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 #include "verification/sensitivity/sensitivity_cache.hpp"
@@ -46,6 +47,7 @@ struct ReportSources {
   CampaignPast past;
   std::string campaign;  // as a command line names it
   std::string judge;     // the hash of this program
+  int status;            // of the verdict
 };
 
 void leave_report(const AssessedCampaign& assessed, const CampaignOptions& options,
@@ -57,6 +59,8 @@ void leave_report(const AssessedCampaign& assessed, const CampaignOptions& optio
   reports::Report report = campaign_report(assessed.definition, options.selection.quick, command,
                                            assessed.cases, assessed.problems, &known);
   known.write();
+  if (const int asked = requested_exit(sources.status, options); asked != sources.status)
+    report.results_json = with_exit_status(asked, report.results_json);
   add_past(assessed, sources.past, report);
   KnownDrawings drawings(assessed.output / "drawings");
   reports::write_report(report, assessed.output / "report",
@@ -68,25 +72,19 @@ void leave_report(const AssessedCampaign& assessed, const CampaignOptions& optio
 }
 
 // Prints each row and leaves the report.
-int run_campaign(const CampaignOptions& options, const Installation& installation,
-                 const std::atomic<bool>& stop) {
-  RequestedCampaign campaign = requested(options, installation);
-  require_possible(options, campaign.settings);
-  if (options.dry_run) {
-    std::cout << plan_text(campaign.cases, campaign.definition.problems, campaign.settings);
-    return exit_pass;
-  }
+int judge_campaign(RequestedCampaign campaign, const CampaignOptions& options,
+                   const Installation& installation, const std::atomic<bool>& stop) {
   const fs::path place = campaign.place;
-  require_no_input(place / "report");
   const std::string judge = content_hash(read_bytes(campaign.settings.executable));
   const CampaignPast past{campaign.settings.store, campaign.definition.name + form_of(options)};
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   std::cerr << complaints(assessed.cases, assessed.problems);
   print_lines(gate_lines(assessed.cases, assessed.problems));
   if (options.solve && !options.selection.is_partial()) keep_state(assessed, past);
-  leave_report(assessed, options,
-               {past, name_or_path(assessed.definition.file, installation.campaigns), judge});
   const int status = exit_status(assessed.cases, assessed.problems);
+  leave_report(
+      assessed, options,
+      {past, name_or_path(assessed.definition.file, installation.campaigns), judge, status});
   std::vector<std::string> lines{fmt::format("{}: {}{}", headline_word(status),
                                              verdict_sentence(assessed.cases, assessed.problems),
                                              coverage_sentence(assessed.cases)),
@@ -95,7 +93,28 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                                  fmt::format("report: {}\n", page_in(place).string())};
   std::erase(lines, "");
   print_lines(fmt::format("{}", fmt::join(lines, "\n")));
-  return requested_exit(status, options);
+  return status;
+}
+
+int plan_campaign(const CampaignOptions& options, const Installation& installation) {
+  const RequestedCampaign campaign = requested(options, installation);
+  require_possible(options, campaign.settings);
+  std::cout << plan_text(campaign.cases, campaign.definition.problems, campaign.settings);
+  return exit_pass;
+}
+
+int run_campaign(const CampaignOptions& options, const Installation& installation,
+                 const std::atomic<bool>& stop) {
+  if (options.dry_run) return plan_campaign(options, installation);
+  return superseding(options, installation, [&](EarlierVerdicts& earlier) {
+    RequestedCampaign campaign = requested(options, installation);
+    require_possible(options, campaign.settings);
+    earlier.begin();
+    reports::require_replaceable(campaign.place / "report");
+    const int status = judge_campaign(std::move(campaign), options, installation, stop);
+    earlier.end("gate", status);
+    return requested_exit(status, options);
+  });
 }
 
 // Takes the place of the name of one campaign, and of what concerns the runs of one.
