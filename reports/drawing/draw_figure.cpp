@@ -16,8 +16,8 @@
 #include "reports/drawing/gnuplot_script.hpp"
 #include "reports/drawing/relative_places.hpp"
 #include "reports/model/file_formats.hpp"
-#include "reports/model/legible_text.hpp"
 #include "reports/templates.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 
 namespace slosh::reports {
 namespace {

@@ -8,9 +8,9 @@
 #include <system_error>
 #include <thread>
 
-#include "reports/model/legible_text.hpp"
 #include "reports/model/report_files.hpp"
 #include "reports/model/report_model.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 
 namespace slosh::reports {
 

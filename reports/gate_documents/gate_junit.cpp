@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "reports/gate_documents/gate_document.hpp"
-#include "reports/model/legible_text.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 
 namespace slosh::reports {
 namespace {

@@ -8,6 +8,8 @@
 namespace slosh::reports {
 namespace {
 
+constexpr const char* status_mark = "<!-- slosh gate: exit status ";
+
 int badness(const GateEntry& entry) {
   switch (entry.outcome) {
     case GateOutcomeKind::solver_failed:
@@ -86,7 +88,13 @@ std::string gate_markdown(const GateDocument& document) {
   if (skipped > 0)
     text += fmt::format("\nRows that are not selected, or whose records are not supplied: {}.\n",
                         skipped);
-  return text;
+  return text + fmt::format("\n{}{} -->\n", status_mark, document.exit_status);
+}
+
+std::optional<int> exit_status_in(const std::string& markdown) {
+  const std::size_t at = markdown.rfind(status_mark);
+  if (at == markdown.npos) return std::nullopt;
+  return std::atoi(markdown.c_str() + at + std::strlen(status_mark));
 }
 
 }  // namespace slosh::reports

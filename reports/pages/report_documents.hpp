@@ -27,9 +27,6 @@ struct HtmlFile {
   std::string text;
 };
 
-// Every HTML file of a report contains this; it tells a report's pages from other files.
-inline constexpr const char* page_mark = "<meta name=\"generator\" content=\"Slosh report\">";
-
 // Returns index.html, then the others, each a self-contained file that links to the rest.
 std::vector<HtmlFile> html_pages(const Report& report, const Drawings& drawings);
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/model/legible_text.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 
 namespace slosh::reports {
 namespace {

@@ -28,7 +28,6 @@ Page first_page(const Report& report) { return {"", report.title, report.verdict
 
 mustache::data document_data(const Report& report) {
   mustache::data data;
-  data.set("page_mark", page_mark);
   data.set("report_title", report.title);
   data.set("subtitle", report.subtitle);
   data.set("style", page_style);

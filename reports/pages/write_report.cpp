@@ -7,26 +7,20 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <map>
-#include <set>
 #include <string>
 #include <system_error>
 
 #include "reports/model/report_files.hpp"
 #include "reports/pages/check_report.hpp"
 #include "reports/pages/draw_report.hpp"
-#include "reports/pages/page_links.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/templates.hpp"
+#include "verification/files/own_files.hpp"
 
 namespace slosh::reports {
 namespace {
 
 namespace fs = std::filesystem;
-
-// What a report has beside its pages: the endings of the files in each of its directories.
-const std::map<std::string, std::set<std::string>> endings_in{{"figures", {".svg", ".png", ".gif"}},
-                                                              {"tables", {".csv"}}};
 
 void write_files(const Report& report, const Drawings& drawings, const fs::path& directory) {
   for (const HtmlFile& file : html_pages(report, drawings))
@@ -39,38 +33,6 @@ void write_files(const Report& report, const Drawings& drawings, const fs::path&
       }
   write_text(directory / "results.json", report.results_json);
   write_text(directory / "results.schema.json", results_schema);
-}
-
-// The files directly in the directory of the report, but for pages of earlier ones.
-std::set<std::string> files_of(const Report& report) {
-  std::set<std::string> names{page_file(""), "results.json", "results.schema.json"};
-  for (const Page& page : report.pages) names.insert(page_file(page.id));
-  return names;
-}
-
-bool is_of_a_report(const fs::path& file, const fs::path& name,
-                    const std::set<std::string>& written) {
-  if (!fs::is_regular_file(fs::symlink_status(file))) return false;
-  if (!name.has_parent_path())
-    return written.contains(name.string()) ||
-           (name.extension() == ".html" && read_text(file).find(page_mark) != std::string::npos);
-  const auto endings = endings_in.find(name.parent_path().string());
-  return endings != endings_in.end() && endings->second.contains(name.extension().string());
-}
-
-// Protects a directory that was named by mistake: replacing it would delete its contents.
-void check_replaceable(const fs::path& target, const std::set<std::string>& written) {
-  if (!fs::exists(target)) return;
-  if (!fs::is_directory(target))
-    throw ReportError("cannot write a report to " + target.string() + ": it is a file");
-  for (const auto& entry : fs::recursive_directory_iterator(target)) {
-    const fs::path name = entry.path().lexically_relative(target);
-    if (!(fs::is_directory(entry.symlink_status()) && endings_in.contains(name.string())) &&
-        !is_of_a_report(entry.path(), name, written))
-      throw ReportError(
-          fmt::format("will not replace {}: it holds '{}', which is no part of a report",
-                      target.string(), name.string()));
-  }
 }
 
 // Renames the complete report to the target in one step if the file system can, else in two. An old
@@ -94,6 +56,17 @@ void swap_in(const fs::path& complete, const fs::path& target, const fs::path& a
 
 }  // namespace
 
+void require_replaceable(const fs::path& target) {
+  if (!fs::exists(target)) return;
+  if (!fs::is_directory(target))
+    throw ReportError("cannot write a report to " + target.string() + ": it is a file");
+  if (const auto foreign = foreign_in(target))
+    throw ReportError(
+        fmt::format("will not replace {}: it holds '{}', which is no part of a report; expected no "
+                    "such directory, or one that a report has made",
+                    target.string(), foreign->lexically_relative(target).string()));
+}
+
 void write_report(const Report& given, const fs::path& directory, const WriteOptions& options) try {
   check_report(given);
   const Report report = with_legible_figures(given);
@@ -101,7 +74,7 @@ void write_report(const Report& given, const fs::path& directory, const WriteOpt
   // is beside the target.
   fs::path target = fs::weakly_canonical(fs::absolute(directory));
   if (!target.has_filename()) target = target.parent_path();
-  check_replaceable(target, files_of(report));
+  require_replaceable(target);
   fs::create_directories(target.parent_path());
   const TemporaryDirectory temporary(target.string() + ".writing-");
   const fs::path complete = temporary.path() / "report";
@@ -111,6 +84,7 @@ void write_report(const Report& given, const fs::path& directory, const WriteOpt
   const Drawings drawings =
       draw_report(report, options.threads, options.gnuplot, scratch, complete / "figures");
   write_files(report, drawings, complete);
+  claim_all_in(complete);
   swap_in(complete, target, temporary.path() / "old");
 } catch (const fs::filesystem_error& error) {
   throw ReportError(

@@ -16,8 +16,12 @@ struct WriteOptions {
   Gnuplot gnuplot = run_gnuplot;
 };
 
-// Replaces an earlier report under the same name. Throws ReportError rather than replace a
-// directory that holds anything else. After an error the earlier report is unchanged.
+// Throws ReportError where the target is there and holds anything that no report has made
+// (files/own_files.hpp).
+void require_replaceable(const std::filesystem::path& target);
+
+// Replaces an earlier report under the same name, if it is replaceable. After an error the earlier
+// report is unchanged.
 void write_report(const Report& report, const std::filesystem::path& directory,
                   const WriteOptions& options = {});
 

@@ -46,11 +46,6 @@ PredictionSet set_from(const json& entry) {
 constexpr std::array<int, 5> statuses{exit_solver_failed, exit_violated, exit_not_compared,
                                       exit_inconclusive, exit_pass};
 
-bool is_worse_status(int status, int other) {
-  return std::find(statuses.begin(), statuses.end(), status) <
-         std::find(statuses.begin(), statuses.end(), other);
-}
-
 // Throws std::invalid_argument for a name that no verdict has.
 Verdict verdict_from(const std::string& name) {
   for (int i = 0; i <= static_cast<int>(Verdict::not_supplied); ++i)
@@ -88,21 +83,32 @@ reports::Table campaigns_table(const std::vector<RecordedCampaign>& campaigns) {
 }
 
 std::string document_of(int status, const std::vector<PredictionSet>& sets) {
-  nlohmann::ordered_json document = nlohmann::ordered_json::parse(results_json("all", false, {}));
-  document["exit_status"] = status;
+  auto document =
+      nlohmann::ordered_json::parse(with_exit_status(status, results_json("all", false, {})));
   for (const PredictionSet& set : sets) document["model_bias"].push_back(bias_json(set));
   return document.dump(2);
 }
 
+// The user may have replaced that of an inconclusive campaign.
+int exit_status_in(const json& document) {
+  const json& status = document.at("exit_status");
+  if (!status.is_number_integer() || status < 0 || status > largest_exit)
+    throw std::invalid_argument(fmt::format("exit_status {}: expected an integer from 0 to {}",
+                                            status.dump(), largest_exit));
+  return status;
+}
+
 }  // namespace
+
+bool is_worse_status(int status, int other) {
+  return std::find(statuses.begin(), statuses.end(), status) <
+         std::find(statuses.begin(), statuses.end(), other);
+}
 
 RecordedCampaign recorded_campaign(const std::string& text, const std::string& place) try {
   const json document = parsed_json<json>(text);
   RecordedCampaign recorded{
-      document.at("campaign"), document.at("quick"), document.at("exit_status"), 0, 0, place, {}};
-  if (std::find(statuses.begin(), statuses.end(), recorded.exit_status) == statuses.end())
-    throw std::invalid_argument(
-        fmt::format("exit_status {}: expected 0, 1, 3, 4 or 5", recorded.exit_status));
+      document.at("campaign"), document.at("quick"), exit_status_in(document), 0, 0, place, {}};
   std::vector<Verdict> verdicts;
   for (const char* kind : {"cases", "problems"})
     for (const json& one : document.at(kind))
@@ -113,7 +119,11 @@ RecordedCampaign recorded_campaign(const std::string& text, const std::string& p
         ++recorded.rows;
         recorded.passed += verdict == Verdict::pass;
       }
-  if (const int of_rows = exit_status_of(verdicts); is_worse_status(of_rows, recorded.exit_status))
+  const int of_rows = exit_status_of(verdicts);
+  if (of_rows == exit_inconclusive && !is_worse_status(recorded.exit_status, of_rows))
+    recorded.exit_status = of_rows;
+  if (is_worse_status(of_rows, recorded.exit_status) ||
+      std::find(statuses.begin(), statuses.end(), recorded.exit_status) == statuses.end())
     throw std::invalid_argument(fmt::format("exit_status {}: expected {}, that of its gate rows",
                                             recorded.exit_status, of_rows));
   for (const json& set : document.at("model_bias")) recorded.predictions.push_back(set_from(set));
@@ -155,6 +165,15 @@ int exit_status(const std::vector<RecordedCampaign>& campaigns,
   for (const RecordedCampaign& one : campaigns)
     if (is_worse_status(one.exit_status, worst)) worst = one.exit_status;
   return worst;
+}
+
+reports::Report superseded_report(const std::string& campaign, int status, const std::string& why) {
+  reports::Report report;
+  report.title = campaign;
+  report.verdict = why;
+  report.outcome = outcome_of(status);
+  report.results_json = with_exit_status(status, results_json(campaign, false, {}));
+  return report;
 }
 
 reports::Report report_of_campaigns(const std::vector<RecordedCampaign>& campaigns,

@@ -25,6 +25,14 @@ struct RecordedCampaign {
 // other.
 RecordedCampaign recorded_campaign(const std::string& text, const std::string& place);
 
+// Whether the exit status is that of a worse verdict: a solver failed, violated, not compared,
+// inconclusive, pass.
+bool is_worse_status(int status, int other);
+
+// The report in place of that of a start that has come to no verdict, or of one that a later start
+// contradicts.
+reports::Report superseded_report(const std::string& campaign, int status, const std::string& why);
+
 // A comparison that several campaigns make counts once, that of a whole campaign before that of a
 // quick form. `left_out` tells of the reports that could not be read.
 std::vector<PredictionSet> merged_predictions(const std::vector<RecordedCampaign>& campaigns);

@@ -345,4 +345,10 @@ std::string results_json(const std::string& campaign, bool quick,
   return document.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
+std::string with_exit_status(int status, const std::string& results_json) {
+  Json document = Json::parse(results_json);
+  document["exit_status"] = status;
+  return document.dump(2);
+}
+
 }  // namespace slosh

@@ -19,6 +19,9 @@ std::string results_json(const std::string& campaign, bool quick,
                          const std::vector<ProblemAssessment>& problems = {},
                          const std::string& paper = "");
 
+// The same document with another exit status.
+std::string with_exit_status(int status, const std::string& results_json);
+
 // Its parts, each as in results.json.
 
 // {"value", "half_width_95"}, in the unit that the key names.

@@ -1,13 +1,13 @@
 #include "verification/campaign/campaign_plan.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <iostream>
 #include <utility>
 
 #include "verification/campaign/job_failure.hpp"
 #include "verification/case/solver_kinds.hpp"
+#include "verification/files/atomic_file.hpp"
 #include "verification/results/result_store.hpp"
 #include "verification/results/run_failure.hpp"
 #include "verification/results/timings.hpp"
@@ -146,9 +146,13 @@ void show_result(const fs::path& result, const fs::path& link) {
     return;
   }
   fs::create_directories(link.parent_path());
-  const fs::path next = fmt::format("{}.{}.next", link.string(), ::getpid());
-  fs::remove(next);
-  fs::create_symlink(result, next);
+  const fs::path next = make_beside(link, [&](const fs::path& one) {
+    std::error_code taken;
+    fs::create_symlink(result, one, taken);
+    if (taken && taken != std::errc::file_exists)
+      throw fs::filesystem_error("cannot make a link", one, taken);
+    return !taken;
+  });
   fs::rename(next, link);
 }
 

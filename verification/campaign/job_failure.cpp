@@ -3,7 +3,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "reports/model/legible_text.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 #include "verification/files/foreign/plain_file.hpp"
 #include "verification/results/result_file.hpp"
 
@@ -67,13 +67,12 @@ RunFailure failure_of(const JobState& state) {
 }  // namespace
 
 RunFailure legible(const RunFailure& failure) {
-  using reports::legible;
   return {legible(failure.kind), legible(failure.message), legible(failure.details),
           legible(failure.log)};
 }
 
 std::string first_error_line(const std::filesystem::path& log) {
-  return reports::legible(read_complaint(log).message);
+  return legible(read_complaint(log).message);
 }
 
 RunStatus status_without_result(const JobState& state, const std::filesystem::path& failure_file) {

@@ -6,6 +6,7 @@
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/definition_file.hpp"
+#include "verification/input/input_files.hpp"
 #include "verification/input/toml_reader.hpp"
 
 namespace slosh {
@@ -31,6 +32,11 @@ fs::path find_member(const PlacedText& member, const CampaignDefinition& campaig
   } catch (const CaseFileError& error) {
     throw CaseFileError(place + error.what());
   }
+  if (file.parent_path() != case_directory && !is_data_of(campaign.file, file))
+    throw CaseFileError(fmt::format(
+        "{}case = \"{}\": expected a case file in the repository of the campaign file, or "
+        "below the directory above it",
+        place, member.text));
   for (const fs::path& other : campaign.cases) {
     if (!fs::equivalent(other, file)) continue;
     throw CaseFileError(

@@ -10,7 +10,6 @@
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/definition_file.hpp"
 #include "verification/input/input_files.hpp"
-#include "verification/input/tables/series_files.hpp"
 #include "verification/input/units.hpp"
 
 namespace slosh {
@@ -24,19 +23,10 @@ fs::path beside_case(const CaseDefinition& definition, const std::string& path) 
   return plain_path(fs::absolute(definition.file).parent_path() / path);
 }
 
-// A file that must be there, or time folders with it, relative to the case file.
-fs::path stored_series(const TomlTable& table, const char* key, const CaseDefinition& definition) {
-  const fs::path file = beside_case(definition, table.get(key, any_text()));
-  if (series_files(file).empty())
-    table.refuse(key, "a file relative to the case file; there is no " + file.string());
-  return file;
-}
-
-// A file that must be there, relative to the case file.
+// Data that must be there, relative to the case file.
 fs::path stored_file(const TomlTable& table, const char* key, const CaseDefinition& definition) {
   const fs::path file = beside_case(definition, table.get(key, any_text()));
-  if (!fs::is_regular_file(file))
-    table.refuse(key, "a file relative to the case file; there is no " + file.string());
+  require_data_file(table, key, file, definition.file);
   return file;
 }
 
@@ -50,7 +40,7 @@ SeriesSource read_series(const TomlTable& series, const CaseDefinition& definiti
       series.choice("quantity", "a compared quantity", compared_quantities(definition));
   const std::string unit = unit_of(source.quantity);
   source.file = files == Files::beside_case_file
-                    ? stored_series(series, "file", definition)
+                    ? stored_file(series, "file", definition)
                     : fs::path(series.get("file", path_below("a file's", work_directory)));
   source.format = series.get("format", any_text());
   source.column = series.get("column", any_text());
@@ -118,7 +108,7 @@ ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& defini
   if (run.has("version_command")) external.version_command = read_command(run, "version_command");
   if (const auto directory = run.find("directory", any_text())) {
     external.directory = beside_case(definition, *directory);
-    if (!fs::is_directory(external.directory))
+    if (std::error_code lost; !fs::is_directory(external.directory, lost))
       run.refuse("directory", "a directory relative to the case file; there is no " +
                                   external.directory.string());
   }

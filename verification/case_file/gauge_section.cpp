@@ -7,6 +7,7 @@
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
+#include "verification/input/input_files.hpp"
 #include "verification/input/tables/peak_table.hpp"
 
 namespace slosh {
@@ -111,7 +112,7 @@ void read_repeats(const TomlTable& impacts, const std::filesystem::path& experim
                                most, read.times.size()));
   const bool named = !experiments.empty();
   read.peak_table = (named ? experiments : "SLOSH_EXPERIMENTS") / std::filesystem::path(*table);
-  if (!named || !std::filesystem::is_regular_file(read.peak_table)) return;
+  if (!named || !is_record_in(experiments, impacts, "peak_table", read.peak_table)) return;
   const PeakTable peaks = read_peak_table(read.peak_table);
   const auto used = static_cast<std::ptrdiff_t>(read.times.size());
   read.repeats.assign(peaks.impacts.begin(), peaks.impacts.begin() + used);

@@ -10,6 +10,7 @@
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
+#include "verification/input/input_files.hpp"
 #include "verification/input/tables/time_table.hpp"
 #include "verification/input/units.hpp"
 
@@ -244,9 +245,7 @@ PotentialRun read_potential(const TomlTable& run, const CaseDefinition& definiti
 
 RecordRun read_shipped_record(const TomlTable& run, const CaseDefinition& definition) {
   const std::filesystem::path file = definition.file.parent_path() / run.get("file", any_text());
-  if (!std::filesystem::is_regular_file(file)) {
-    run.refuse("file", "a CSV file's path relative to the case file; there is no " + file.string());
-  }
+  require_data_file(run, "file", file, definition.file);
   std::vector<std::string> columns;
   for (const std::string& quantity : compared_quantities(definition))
     columns.push_back(quantity + "_" + unit_of(quantity));
@@ -313,7 +312,7 @@ RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition
       .uncertainty = run.find("uncertainty", positive(unit)),
       .has_band = edges.has_value()};
   if (record.uncertainty) *record.uncertainty *= si;
-  record.supplied = named && std::filesystem::is_regular_file(record.file);
+  record.supplied = named && is_record_in(experiments, run, "experiment", record.file);
   if (!record.supplied) return record;
   TimeTable table = read_time_columns(record.file, columns);
   record.time = std::move(table.time);

@@ -84,15 +84,19 @@ void name_whole_command(toml::array& command, const std::filesystem::path& direc
 }
 
 // The study's case file lies elsewhere: what is relative to the case's directory becomes absolute.
-void name_whole_paths(toml::table& table, const CaseDefinition& definition) {
+void name_whole_paths(toml::table& table, const CaseDefinition& definition,
+                      std::vector<std::filesystem::path>& data) {
   const std::filesystem::path directory =
       absolute(definition.file).lexically_normal().parent_path();
   const auto whole = [&](const std::string& path) {
     return (directory / path).lexically_normal().string();
   };
-  for (const char* key : {"file", "directory"})
-    if (const auto path = table[key].value<std::string>())
-      table.insert_or_assign(key, whole(*path));
+  if (const auto path = table["file"].value<std::string>()) {
+    data.push_back(whole(*path));
+    table.insert_or_assign("file", data.back().filename().string());
+  }
+  if (const auto path = table["directory"].value<std::string>())
+    table.insert_or_assign("directory", whole(*path));
   if (toml::array* inputs = table["inputs"].as_array())
     for (toml::node& input : *inputs)
       if (auto* path = input.as_string()) *path = whole(path->get());
@@ -107,18 +111,19 @@ std::string study_run_name(const SpacingStudy& study, double spacing) {
                      millimetres_in_name(spacing));
 }
 
-std::string spacing_study_text(const CaseDefinition& definition, const SpacingStudy& study) {
+StudyText spacing_study_text(const CaseDefinition& definition, const SpacingStudy& study) {
   require_spacings(study.spacings);
   toml::table root = toml::parse(definition.text);
   const std::vector<TomlTable> declared = declared_runs(definition);
   toml::table reference = run_table(declared, "reference", study.reference, definition);
-  name_whole_paths(reference, definition);
+  std::vector<std::filesystem::path> data;
+  name_whole_paths(reference, definition, data);
   toml::array runs{std::move(reference)}, names;
   for (const double spacing : study.spacings) {
     toml::table run = pattern_run(declared, study, definition);
     run.insert_or_assign("name", study_run_name(study, spacing));
     run.insert_or_assign("particle_spacing_m", spacing);
-    name_whole_paths(run, definition);
+    name_whole_paths(run, definition, data);
     names.push_back(study_run_name(study, spacing));
     runs.push_back(std::move(run));
   }
@@ -131,10 +136,10 @@ std::string spacing_study_text(const CaseDefinition& definition, const SpacingSt
   root.erase("impacts");  // they are compared with an experiment, which a study does not do
   for (const char* part : {"surge", "roll"})
     if (toml::table* motion = root["motion"][part].as_table())
-      name_whole_paths(*motion, definition);
+      name_whole_paths(*motion, definition, data);
   std::ostringstream text;
   text << root << "\n";
-  return text.str();
+  return {text.str(), std::move(data)};
 }
 
 }  // namespace slosh

@@ -2,6 +2,7 @@
 // one SPH scheme, or one method of an external program, at several spacings and one reference.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,16 @@ struct SpacingStudy {
 // Returns the name of the study's run with this spacing [m]: "recommended_12p5mm".
 std::string study_run_name(const SpacingStudy& study, double spacing);
 
+struct StudyText {
+  std::string text;
+  std::vector<std::filesystem::path> data;  // the tables that it names, to be copied beside it
+};
+
 // Returns the text of the study's case file: that of the case, with the reference, the study's runs
 // and a refinement "spacing" through these in place of its runs, refinements and gate rows. The
-// paths of files become absolute. Throws CaseFileError if the case has no such candidate or
-// reference, if the candidate has not one spacing, or if the spacings are not three or more
-// different numbers > 0.
-std::string spacing_study_text(const CaseDefinition& definition, const SpacingStudy& study);
+// paths of programs and their inputs become absolute. Throws CaseFileError if the case has no such
+// candidate or reference, if the candidate has not one spacing, or if the spacings are not three or
+// more different numbers > 0.
+StudyText spacing_study_text(const CaseDefinition& definition, const SpacingStudy& study);
 
 }  // namespace slosh

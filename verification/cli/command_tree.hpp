@@ -17,6 +17,9 @@
 
 namespace slosh {
 
+inline constexpr const char* not_printed =
+    "standard output: expected a place that takes all that is printed";
+
 // Returns the exit status.
 using Action = std::function<int()>;
 

@@ -16,6 +16,7 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
@@ -78,7 +79,14 @@ void require_own(const fs::path& file) {
 // Writes the case file and reads it, so that its mistakes are reported before anything runs.
 CaseDefinition made_case(const CaseDefinition& definition, const SpacingStudy& study,
                          const fs::path& file, const fs::path& experiments) {
-  replace_file(file, made_by + spacing_study_text(definition, study), Durability::process_crash);
+  const StudyText text = spacing_study_text(definition, study);
+  for (const fs::path& table : text.data) {
+    const fs::path copy = file.parent_path() / table.filename();
+    if (std::error_code absent; fs::equivalent(table, copy, absent)) continue;
+    claim(copy);
+    replace_file(copy, read_input(table), Durability::process_crash);
+  }
+  replace_file(file, made_by + text.text, Durability::process_crash);
   CaseDefinition made = read_case(file, experiments);
   for (const RunDefinition& run : made.runs) require_runnable(made, run);
   return made;

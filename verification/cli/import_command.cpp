@@ -7,11 +7,10 @@
 #include <iostream>
 #include <memory>
 
-#include "reports/model/legible_text.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/content_hash.hpp"
-#include "verification/files/protected_inputs.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 #include "verification/files/shell_word.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/import/file_formats.hpp"
@@ -117,8 +116,7 @@ void add_origin(const ImportOptions& options, const std::vector<std::filesystem:
   std::string paths, contents;
   for (const std::filesystem::path& file : files) {
     paths += (paths.empty() ? "" : "; ") + std::filesystem::absolute(file).string();
-    protect_input(file);
-    contents += read_bytes(file);
+    contents += read_input(file);
   }
   const std::string content = content_hash(contents);
   result.key = content_hash(content + command);
@@ -145,7 +143,7 @@ int import_files(const ImportOptions& options) {
                              series.time.back(), series.unit, series.value.front());
     if (const auto seams = result.provenance.find(seams_of + series.name);
         seams != result.provenance.end())
-      std::cout << "  " << reports::legible(seams->second) << "\n";
+      std::cout << "  " << legible(seams->second) << "\n";
   }
   std::cout << "result: " << options.output.string() << "\n";
   return exit_pass;

@@ -12,9 +12,10 @@
 #include <filesystem>
 #include <iostream>
 
-#include "reports/model/legible_text.hpp"
 #include "verification/campaign/campaign_run.hpp"
+#include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/cli/command_tree.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/input/case_file_error.hpp"
@@ -52,7 +53,7 @@ void open_closed_streams() {
 int printed(int status) {
   std::cout.flush();
   if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
-  std::cerr << "slosh: standard output: expected a place that takes all that is printed\n";
+  std::cerr << "slosh: " << slosh::not_printed << "\n";
   return status == slosh::exit_pass ? static_cast<int>(slosh::exit_not_compared) : status;
 }
 
@@ -95,7 +96,9 @@ int dispatch(int argc, char** argv) {
       app.exit(error);
     else
       std::cerr << meant << "\nRun with --help for more information.\n";
-    return asked_for_help ? slosh::exit_pass : slosh::exit_usage;
+    if (asked_for_help) return slosh::exit_pass;
+    slosh::supersede_for_mistake(app, data, meant.empty() ? error.what() : meant);
+    return slosh::exit_usage;
   }
   return action();
 }
@@ -104,7 +107,7 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   const auto fail = [](const std::exception& error, int status) {
-    std::cerr << "slosh: " << slosh::reports::legible(error.what()) << "\n";
+    std::cerr << "slosh: " << slosh::legible(error.what()) << "\n";
     return status;
   };
   open_closed_streams();

@@ -20,6 +20,7 @@
 #include "verification/cli/stored_run.hpp"
 #include "verification/display/run_display.hpp"
 #include "verification/engine/run_job.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/problems/problem_list.hpp"
@@ -189,6 +190,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
   RunSettings settings = settings_for(options, installation, key, file);
   settings.command = command_of(options, installation, definition, run);
   require_safe_outputs(options, file, settings.work_directory);
+  if (!options.store.empty()) claim(settings.work_directory);  // for store --remove
   const ExpectedCost expected =
       expected_cost(definition, run, key, ResultStore(usual_store(installation)));
   const auto compute = [&] {

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <optional>
 
-#include "reports/model/legible_text.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/results/timings.hpp"
 #include "verification/runs/run_case.hpp"
@@ -97,7 +97,6 @@ void keep_failure(const ResultStore& store, const std::string& key, const RunFai
 }
 
 RunResult named_result(const fs::path& file) {
-  using reports::legible;
   protect_input(file);
   RunResult result = read_result(file);
   for (std::string* text : {&result.case_name, &result.run_name, &result.solver})

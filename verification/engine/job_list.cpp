@@ -71,8 +71,6 @@ JobList JobList::create(const fs::path& directory, const std::vector<Job>& jobs)
   return {directory, jobs};
 }
 
-bool JobList::is_in(const fs::path& directory) { return fs::exists(directory / list_name); }
-
 JobList JobList::open(const fs::path& directory) {
   const fs::path file = directory / list_name;
   try {

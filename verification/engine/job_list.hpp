@@ -19,8 +19,6 @@ class JobList {
   // Throws std::filesystem::filesystem_error.
   static JobList create(const std::filesystem::path& directory, const std::vector<Job>& jobs);
 
-  static bool is_in(const std::filesystem::path& directory);
-
   // Reads the list in the directory. Throws std::runtime_error naming the file where it cannot be
   // read.
   static JobList open(const std::filesystem::path& directory);

@@ -9,6 +9,7 @@
 #include "verification/engine/job_list.hpp"
 #include "verification/engine/ninja_engine.hpp"
 #include "verification/engine/slurm_engine.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 
 namespace slosh {
@@ -27,13 +28,18 @@ void remove_lists(const fs::path& directory) {
   for (const auto& entry : fs::directory_iterator(directory))
     // Processes left of an earlier start may write there at this moment; the next start removes it.
     if (std::error_code none;
-        entry.path().filename().string().starts_with("list_") && JobList::is_in(entry.path()))
+        entry.path().filename().string().starts_with("list_") && is_own(entry.path()))
       fs::remove_all(entry.path(), none);
 }
 
 // Removes the logs of earlier starts, so that a job that never starts does not show an old log.
 void remove_logs(const std::vector<Job>& jobs) {
-  for (const Job& job : jobs) require_no_input(job.log_file);
+  for (const Job& job : jobs)
+    for (const fs::path& one : {job.log_file, job.progress_file}) {
+      if (one.empty()) continue;
+      require_no_input(one);
+      claim(one);
+    }
   std::error_code none;
   for (const Job& job : jobs) fs::remove(job.log_file, none);
 }
@@ -48,7 +54,9 @@ std::vector<JobState> launch(const std::vector<Job>& jobs, const LaunchSettings&
   if (jobs.empty()) return {};
   remove_lists(settings.directory);
   remove_logs(jobs);
-  const JobList list = JobList::create(fresh_list(settings.directory), jobs);
+  const fs::path place = fresh_list(settings.directory);
+  claim(place);
+  const JobList list = JobList::create(place, jobs);
   return settings.engine == Engine::slurm ? run_by_slurm(list, settings, stop, observe)
                                           : run_by_ninja(list, settings, stop, observe);
 }

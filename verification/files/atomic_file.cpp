@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 class Descriptor {
  public:
+  explicit Descriptor(int id) : id_(id) {}
   Descriptor(const fs::path& file, int flags) : id_(::open(file.c_str(), flags | O_CLOEXEC, 0666)) {
     if (id_ < 0) fail("cannot open", file);
   }
@@ -57,9 +58,8 @@ void write_through(const fs::path& file, std::string_view content) {
   descriptor.close(file);
 }
 
-void write_new(const fs::path& file, std::string_view content, Durability durability) {
-  fs::remove(file);  // of a process of this number that was killed
-  Descriptor descriptor(file, O_WRONLY | O_CREAT | O_EXCL);
+void write_new(int opened, const fs::path& file, std::string_view content, Durability durability) {
+  Descriptor descriptor(opened);
   write_all(descriptor, file, content);
   if (durability == Durability::power_loss && ::fsync(descriptor) != 0) fail("cannot write", file);
   descriptor.close(file);
@@ -71,7 +71,23 @@ fs::path linked_file(fs::path file) {
   return file;
 }
 
+void require_free(const fs::path& directory) {
+  if (!fs::exists(fs::symlink_status(directory))) return;
+  if (!fs::is_directory(directory) || !fs::is_empty(directory))
+    throw fs::filesystem_error("expected a directory that is not there yet, or an empty one",
+                               directory, std::make_error_code(std::errc::file_exists));
+}
+
 }  // namespace
+
+fs::path make_beside(const fs::path& place, const std::function<bool(const fs::path&)>& make) {
+  for (int attempt = 0;; ++attempt) {
+    fs::path temporary =
+        place.parent_path() / fmt::format(".{}.{}{}.partial", place.filename().string(), ::getpid(),
+                                          attempt == 0 ? "" : fmt::format("-{}", attempt));
+    if (make(temporary)) return temporary;
+  }
+}
 
 void replace_file(const fs::path& file, std::string_view content, Durability durability) {
   require_no_input(file);
@@ -79,10 +95,14 @@ void replace_file(const fs::path& file, std::string_view content, Durability dur
     return write_through(file, content);
   const fs::path place = linked_file(fs::absolute(file)), directory = place.parent_path();
   fs::create_directories(directory);
-  const fs::path temporary =
-      directory / fmt::format(".{}.{}.partial", place.filename().string(), ::getpid());
+  int opened = -1;
+  const fs::path temporary = make_beside(place, [&](const fs::path& one) {
+    opened = ::open(one.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (opened < 0 && errno != EEXIST) fail("cannot write", one);
+    return opened >= 0;
+  });
   try {
-    write_new(temporary, content, durability);
+    write_new(opened, temporary, content, durability);
     fs::rename(temporary, place);
   } catch (...) {
     std::error_code ignored;
@@ -91,6 +111,24 @@ void replace_file(const fs::path& file, std::string_view content, Durability dur
   }
   // The new name reaches the disk with the directory.
   if (durability == Durability::power_loss) ::fsync(Descriptor(directory, O_RDONLY | O_DIRECTORY));
+}
+
+void make_whole_directory(const fs::path& directory,
+                          const std::function<void(const fs::path&)>& fill) {
+  const fs::path named = fs::weakly_canonical(fs::absolute(directory));
+  const fs::path place = named.has_filename() ? named : named.parent_path();  // without a last "/"
+  require_free(place);
+  fs::create_directories(place.parent_path());
+  const fs::path temporary =
+      make_beside(place, [](const fs::path& one) { return fs::create_directory(one); });
+  try {
+    fill(temporary);
+    fs::rename(temporary, place);  // an empty directory of this name gives way
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove_all(temporary, ignored);
+    throw;
+  }
 }
 
 }  // namespace slosh

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 namespace slosh {
@@ -17,5 +18,19 @@ enum class Durability { process_crash, power_loss };
 // unchanged.
 void replace_file(const std::filesystem::path& file, std::string_view content,
                   Durability durability);
+
+// Makes a file or a directory of a temporary name beside the place and returns its path. `make`
+// returns false where there is something of that name, which a killed process may have left: it
+// stays, and another name is tried.
+std::filesystem::path make_beside(const std::filesystem::path& place,
+                                  const std::function<bool(const std::filesystem::path&)>& make);
+
+// Makes a directory that is there with all its files or not at all.
+// Passes an empty directory of a temporary name to `fill` and renames it to `directory` when that
+// returns. Where it throws, nothing is left but directories above it that had to be made. Throws
+// std::filesystem::filesystem_error where `directory` is a file or holds one already, and where it
+// cannot be written.
+void make_whole_directory(const std::filesystem::path& directory,
+                          const std::function<void(const std::filesystem::path&)>& fill);
 
 }  // namespace slosh

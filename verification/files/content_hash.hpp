@@ -2,6 +2,7 @@
 // they were made from. It detects accidents, not forgery.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -25,8 +26,19 @@ class ContentHash {
 
 std::string content_hash(std::string_view bytes);
 
-// The content of a file. Throws std::filesystem::filesystem_error where it cannot be read, and
-// where it is no plain file (plain_file.hpp).
+// The most that is read of a file [byte]: a comparison of 10,000,000 samples needs a fifth of it. A
+// file of holes has any size.
+inline constexpr std::uintmax_t largest_file = 1'000'000'000;
+
+// The bytes of the file that lie on the disk, fewer than its size where it has holes. Throws as
+// read_bytes() does.
+std::uintmax_t stored_bytes(const std::filesystem::path& file);
+
+// The content of a file. Throws std::filesystem::filesystem_error, with the file's name, where it
+// cannot be read, is larger than that, or is no plain file (plain_file.hpp).
 std::string read_bytes(const std::filesystem::path& file);
+
+// The same of a file that the user names: it is then an input (protected_inputs.hpp).
+std::string read_input(const std::filesystem::path& file);
 
 }  // namespace slosh

@@ -35,12 +35,12 @@ ProtectedInputs& protected_inputs() {
   return files;
 }
 
+}  // namespace
+
 bool lies_below(const fs::path& file, const fs::path& directory) {
   return std::mismatch(directory.begin(), directory.end(), file.begin(), file.end()).first ==
          directory.end();
 }
-
-}  // namespace
 
 void protect_input(const fs::path& file) { protected_inputs().add(file); }
 

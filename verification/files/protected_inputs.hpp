@@ -12,6 +12,9 @@ struct OutputError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+// Of two paths without links and dots: whether the file is the directory or lies below it.
+bool lies_below(const std::filesystem::path& file, const std::filesystem::path& directory);
+
 // Makes the file an input of this process. Does nothing where there is none.
 void protect_input(const std::filesystem::path& file);
 

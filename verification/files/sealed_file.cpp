@@ -84,7 +84,7 @@ void read_sealed(const SealedKind& kind, const std::filesystem::path& file,
   const hdf5::QuietErrors quiet;
   const std::string bytes = read_bytes(file);
   const std::string_view image = unsealed(kind, bytes);
-  read_guarded(image.size(), [&] { read_image(image, read); });
+  read_guarded(stored_bytes(file), [&] { read_image(image, read); });
 } catch (const std::runtime_error& error) {
   throw ResultError(
       fmt::format("cannot use the {} file {}: {}", kind.name, file.string(), error.what()));

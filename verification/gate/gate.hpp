@@ -28,6 +28,9 @@ enum ExitStatus {
   exit_interrupted = 130
 };
 
+// Of --inconclusive-exit; shells give larger ones a meaning of their own.
+inline constexpr int largest_exit = 125;
+
 struct ExitMeaning {
   int status;
   const char* meaning;
@@ -43,7 +46,8 @@ inline constexpr ExitMeaning exit_meanings[] = {
      "a reference is missing or out of its range, a result is unusable, or nothing was compared"},
     {exit_inconclusive,
      "a row is inconclusive: the uncertainty of its metric reaches across its tolerance "
-     "(--inconclusive-exit N changes this status)"},
+     "(--inconclusive-exit N changes this status); or the gate has lost a row of validation that "
+     "its baseline has"},
     {exit_build_failed, "the build failed"},
     {exit_interrupted, "interrupted"}};
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/guarded_reading.hpp"
 #include "verification/files/foreign/plain_file.hpp"
 #include "verification/files/foreign/self_contained.hpp"
@@ -118,7 +119,7 @@ RawSeries read_hdf5_series(const SeriesSource& source) try {
   const hdf5::QuietErrors quiet;
   if (!is_plain_file(source.file)) refuse("file", "no file of a disk", "one");
   RawSeries series;
-  read_guarded(std::filesystem::file_size(source.file), [&] { series = read_series(source); });
+  read_guarded(stored_bytes(source.file), [&] { series = read_series(source); });
   return series;
 } catch (const std::runtime_error& error) {
   throw CaseFileError(source.file.string() + ": " + error.what());

@@ -4,13 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
-#include "verification/files/foreign/plain_file.hpp"
-#include "verification/files/protected_inputs.hpp"
+#include "verification/files/content_hash.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 
@@ -44,7 +41,7 @@ fs::path find_definition_file(std::string_view kind, const std::string& name_or_
   fs::path file = !is_path       ? directory / (name_or_path + ".toml")
                   : base.empty() ? fs::path(name_or_path)
                                  : plain_path(base / name_or_path);
-  if (fs::is_regular_file(file)) return file;
+  if (std::error_code lost; fs::is_regular_file(file, lost)) return file;
   if (is_path)
     throw CaseFileError(fmt::format("{} = \"{}\": expected a file; there is no {}", kind,
                                     name_or_path, file.string()));
@@ -55,15 +52,11 @@ fs::path find_definition_file(std::string_view kind, const std::string& name_or_
                   fmt::join(nearest_names(name_or_path, names_in(directory), suggestions), ", ")));
 }
 
-std::string read_definition_text(std::string_view kind, const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!is_plain_file(file) || !(text << stream.rdbuf())) {
-    throw CaseFileError(
-        fmt::format("{}: expected a {} file with text that can be read", file.string(), kind));
-  }
-  protect_input(file);
-  return text.str();
+std::string read_definition_text(std::string_view kind, const fs::path& file) try {
+  return read_input(file);
+} catch (const fs::filesystem_error& error) {
+  throw CaseFileError(fmt::format("{}: expected a {} file with text that can be read: {}",
+                                  file.string(), kind, error.code().message()));
 }
 
 }  // namespace slosh

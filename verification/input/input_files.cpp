@@ -1,9 +1,13 @@
 #include "verification/input/input_files.hpp"
 
+#include <fmt/format.h>
 #include <glob.h>
 
 #include <algorithm>
 #include <set>
+
+#include "verification/files/protected_inputs.hpp"
+#include "verification/input/tables/series_files.hpp"
 
 namespace slosh {
 namespace {
@@ -41,14 +45,60 @@ std::vector<fs::path> matches(const fs::path& pattern) {
   return paths;
 }
 
+// The directory below which the data of a case lie.
+fs::path root_of(const fs::path& case_file) {
+  const fs::path home = fs::weakly_canonical(fs::absolute(case_file)).parent_path();
+  for (fs::path at = home;; at = at.parent_path())
+    if (std::error_code none; fs::exists(at / ".git", none))
+      return at;
+    else if (at == at.parent_path())
+      return home.parent_path();
+}
+
+bool is_hidden(const fs::path& path) {
+  return std::any_of(path.begin(), path.end(), [](const fs::path& part) {
+    return part.string().starts_with(".") && part != "." && part != "..";
+  });
+}
+
 }  // namespace
 
+bool is_data_of(const fs::path& case_file, const fs::path& file) {
+  std::error_code lost;
+  const fs::path real = fs::canonical(file, lost);
+  for (const fs::path& root : {root_of(case_file), fs::weakly_canonical(SLOSH_SHIPPED_CASES)})
+    if (!lost && lies_below(real, root) && !is_hidden(real.lexically_relative(root))) return true;
+  return false;
+}
+
+void require_data_file(const TomlTable& table, const char* key, const fs::path& file,
+                       const fs::path& case_file) {
+  const std::vector<fs::path> parts = series_files(file);
+  if (parts.empty())
+    table.refuse(key, "a file relative to the case file; there is no " + file.string());
+  for (const fs::path& part : parts)
+    if (!is_data_of(case_file, part))
+      table.refuse(key, fmt::format("a file below {}, links followed, and not a hidden one",
+                                    root_of(case_file).string()));
+}
+
+bool is_record_in(const fs::path& directory, const TomlTable& table, const char* key,
+                  const fs::path& file) {
+  std::error_code lost;
+  const fs::path real = fs::canonical(file, lost);
+  if (lost || !fs::is_regular_file(real)) return false;
+  if (!lies_below(real, fs::canonical(directory)))
+    table.refuse(key, fmt::format("a file below {}, links followed", directory.string()));
+  return true;
+}
+
 std::vector<InputFile> input_files(const fs::path& path) {
-  if (fs::is_regular_file(path)) return {{path.filename().string(), path}};
-  if (fs::is_directory(path)) return files_below(path.lexically_normal());
+  std::error_code lost;  // as where links lead in a circle
+  if (fs::is_regular_file(path, lost)) return {{path.filename().string(), path}};
+  if (fs::is_directory(path, lost)) return files_below(path.lexically_normal());
   std::vector<InputFile> files;
   for (const fs::path& match : matches(path))
-    if (fs::exists(match)) std::ranges::move(input_files(match), std::back_inserter(files));
+    if (fs::exists(match, lost)) std::ranges::move(input_files(match), std::back_inserter(files));
   return files;
 }
 

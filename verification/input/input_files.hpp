@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "verification/input/toml_reader.hpp"
+
 namespace slosh {
 
 struct InputFile {
@@ -18,5 +20,21 @@ struct InputFile {
 // Empty where there is nothing. Throws std::filesystem::filesystem_error for a directory that
 // cannot be read.
 std::vector<InputFile> input_files(const std::filesystem::path& path);
+
+// Refuses the value at a key unless it names data that a case may read: a file, or a directory of
+// one program's time folders, below the root of the repository that holds the case file (the
+// nearest directory above it with a ".git"), or without a repository below the directory above that
+// of the case file, so that "../data/wave.csv" is; or among the shipped cases. Links are followed,
+// and nothing hidden is read. A case that others propose reads nothing else of the machine, and no
+// message quotes from it.
+void require_data_file(const TomlTable& table, const char* key, const std::filesystem::path& file,
+                       const std::filesystem::path& case_file);
+
+// Whether a file that was found may be read so.
+bool is_data_of(const std::filesystem::path& case_file, const std::filesystem::path& file);
+
+// Whether there is a regular file below the directory. Throws where links lead out of it.
+bool is_record_in(const std::filesystem::path& directory, const TomlTable& table, const char* key,
+                  const std::filesystem::path& file);
 
 }  // namespace slosh

@@ -76,14 +76,15 @@ Rule<std::string> path_below(std::string_view kind, std::string_view directory) 
 }
 
 Rule<std::string> file_safe_name() {
-  return {"a name of letters, digits, _ and -, no - first",
+  constexpr std::size_t longest = 100;  // a file system takes 255 with all endings
+  return {fmt::format("a name of letters, digits, _ and -, no - first, of at most {}", longest),
           [](const std::string& name) {
             const auto allowed = [](char c) {
               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                      c == '_' || c == '-';
             };
             // With a - first it would be taken for an option on a command line.
-            return !name.empty() && name[0] != '-' &&
+            return !name.empty() && name.size() <= longest && name[0] != '-' &&
                    std::all_of(name.begin(), name.end(), allowed);
           },
           "stand_in"};

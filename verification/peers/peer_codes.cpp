@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "verification/case/shape/tank_shape.hpp"
-#include "verification/files/whole_directory.hpp"
+#include "verification/files/atomic_file.hpp"
 #include "verification/peers/written_files.hpp"
 
 namespace slosh {

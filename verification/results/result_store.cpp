@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <set>
 
 #include "verification/files/content_hash.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/files/result_error.hpp"
 #include "verification/files/sealed_file.hpp"
 #include "verification/files/sealed_json.hpp"
@@ -17,12 +19,23 @@ namespace fs = std::filesystem;
 std::string question_of(const std::string& key) { return key.substr(0, key.find('-')); }
 std::string answer_of(const std::string& key) { return key.substr(key.find('-') + 1); }
 
-// Removes temporary files, which have the names that atomic_file.hpp gives.
+// Returns whether the file is what a killed process has left of a result: it has the name that
+// atomic_file.hpp gives, and begins as files of the store do.
+bool is_half_written(const fs::path& path, const std::string& answer) {
+  const std::string name = path.filename().string();
+  if (!name.starts_with("." + answer + ".") || !name.ends_with(".partial") ||
+      !fs::is_regular_file(fs::symlink_status(path)))
+    return false;
+  std::string head(5, ' ');
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(stream.gcount()));
+  return head.empty() || head == "\x89HDF\r" || head == "{\n \"b";
+}
+
 void remove_half_written(const fs::path& directory, const std::string& answer) {
-  for (const auto& entry : fs::directory_iterator(directory)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("." + answer + ".") && name.ends_with(".partial")) fs::remove(entry);
-  }
+  for (const auto& entry : fs::directory_iterator(directory))
+    if (is_half_written(entry.path(), answer)) fs::remove(entry);
 }
 
 constexpr const char* lock_extension = ".lock";
@@ -112,10 +125,9 @@ bool ResultStore::has_made(const std::string& key, const fs::path& path) const {
   const std::string name = path.filename().string(), answer = answer_of(key);
   const auto is = [&](const char* extension) { return name == answer + extension; };
   const fs::file_status status = fs::symlink_status(path);
-  const bool has_lock = fs::is_regular_file(file(key, lock_extension));
-  if (fs::is_directory(status)) return has_lock && (is(".work") || is(".timing.work"));
+  if (fs::is_directory(status)) return is_own(path);
   if (!fs::is_regular_file(status)) return false;
-  if (name.starts_with(".")) return has_lock && name.ends_with(".partial");
+  if (name.starts_with(".")) return is_half_written(path, answer);
   const std::string bytes = read_bytes(path);
   const bool holds_key = bytes.find(key) != bytes.npos;
   return (is(".h5") && holds_key && is_sealed(bytes)) ||

@@ -6,12 +6,14 @@
 #include <cmath>
 #include <new>
 #include <stdexcept>
+#include <vector>
 
 #include "openfoam_cases/errors.hpp"
 #include "sph/simulation.hpp"
 #include "verification/case/changed_input.hpp"
 #include "verification/case/inputs/drawn_inputs.hpp"
 #include "verification/case/solver_kinds.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/runs/filtered_pressures.hpp"
 #include "verification/runs/fitting_spacing.hpp"
@@ -46,8 +48,19 @@ void require_whole(const TimeSeries& series, const CaseDefinition& definition) {
   }
 }
 
+// Claims what the solvers remove before they begin, so that nothing of the user's goes with it.
+void claim_places(const RunRequest& request) {
+  const AnsweredWith kind = solver_kind(request.run).answered_with;
+  std::vector<const char*> cleared;
+  if (kind == AnsweredWith::openfoam) cleared = {".openfoam"};
+  if (kind == AnsweredWith::user_program) cleared = {".external", ".external.log", ".version.log"};
+  for (const char* ending : cleared)
+    claim(request.settings.work_directory / (request.run.name + ending));
+}
+
 // Runs the solver and turns the leaves' exceptions into those of execute().
 RunResult run_chosen_solver(const RunRequest& request) try {
+  claim_places(request);
   RunResult result = run_solver(request);
   if (!solver_kind(request.run).can_end_early)
     for (const TimeSeries& series : result.series) require_whole(series, request.definition);

@@ -23,28 +23,16 @@ constexpr const char *liquid_particles = "liquid_particles", *steps = "steps",
                      *version = "schema_version", *compile_wall = "compile_wall_time_s",
                      *compile_processor = "compile_processor_time_s";
 
-// The object of the file. Throws for a key that is there twice, of which JSON would take the last.
 json read_object(const fs::path& file) {
   if (!fs::exists(file))
     throw CaseFileError(file.string() + ": expected a file that the program writes");
-  std::vector<std::string> keys;
-  std::string twice;
   constexpr std::uintmax_t largest = 1'000'000;  // [byte], of some 20 numbers and texts
   if (fs::is_regular_file(file) && fs::file_size(file) > largest)
     throw CaseFileError(fmt::format("{}: {} bytes: expected at most {}", file.string(),
                                     fs::file_size(file), largest));
-  const auto look = [&](int depth, auto event, const json& parsed) {
-    if (event != json::parse_event_t::key || depth != 1) return true;
-    const std::string key = parsed.get<std::string>();
-    if (std::find(keys.begin(), keys.end(), key) != keys.end()) twice = key;
-    keys.push_back(key);
-    return true;
-  };
   try {
-    json document = parsed_json<json>(read_bytes(file), look);
+    json document = parsed_json<json>(read_bytes(file));
     if (!document.is_object()) throw CaseFileError(file.string() + ": expected a JSON object");
-    if (!twice.empty())
-      throw CaseFileError(fmt::format("{}: {}: expected each key once", file.string(), twice));
     return document;
   } catch (const json::exception& error) {
     throw CaseFileError(fmt::format("{}: not JSON: {}", file.string(), error.what()));

@@ -8,6 +8,7 @@
 
 #include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/plain_file.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/import/import_series.hpp"
 #include "verification/input/tables/series_files.hpp"
 #include "verification/input/tables/table_reader.hpp"
@@ -29,10 +30,7 @@ void require_left_in(const fs::path& directory, const fs::path& file) {
   std::error_code lost;
   if (!fs::exists(fs::symlink_status(file, lost))) return;  // the reader says so
   const fs::path home = fs::canonical(directory), real = fs::canonical(file, lost);
-  const bool is_in =
-      !lost &&
-      std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
-  if (!is_in || fs::is_symlink(directory) || !is_plain_file(real))
+  if (lost || !lies_below(real, home) || fs::is_symlink(directory) || !is_plain_file(real))
     throw CaseFileError(file.string() +
                         ": expected a regular file in the work directory; it is a link that leads "
                         "out of it, or a pipe, a socket or a device");

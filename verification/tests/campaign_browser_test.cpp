@@ -45,9 +45,10 @@ TEST_F(CampaignInBrowser, ShowsItsVerdictItsGateRowsAndItsFigures) {
   };
   // On the case's page history, residual, sliding amplitude and lag, the forced phasor and the
   // natural one's, error against run time and memory; on its appendix two forces, two momenta,
-  // highest surface and two spectra. One more is the case's small figure on the first page.
+  // highest surface and two spectra. Beside them lie the case's small figure on the first page and
+  // the list of what Slosh has made.
   EXPECT_EQ(both("drawings"), 13);
-  EXPECT_EQ(files_in(report() / "figures"), 14);
+  EXPECT_EQ(files_in(report() / "figures"), 15);
   EXPECT_GE(both("drawn_curves"), 12);
   ASSERT_EQ(first.desk.at("glances").size(), 1);
   EXPECT_EQ(first.desk.at("glances")[0].at("leads_to"), "small.html");

@@ -14,24 +14,10 @@ const std::string own_run = R"([[run]]
 name = "mine"
 solver = "external"
 command = ["./solve", "{case_file}", "{work_directory}/wave.csv", "scaled", "1.01"]
-[[run.series]]
-quantity = "elevation@right"
-file = "wave.csv"
-format = "csv"
-time_column = "t"
-column = "eta"
-)";
-
-std::string row(const std::string& candidate, const std::string& metric, const std::string& limit) {
-  return "[[gate]]\ncandidate = \"" + candidate +
-         "\"\nreference = \"theory\"\nquantity = \"elevation@right\"\nmode = \"forced\"\nmetric = "
-         "\"" +
-         metric + "\"\nunit = \"" + (metric == "phase_lag" ? "deg" : "1") + "\"\nlimit = " + limit +
-         "\nreason = \"It is theory, made wrong.\"\nsource = \"made for a test\"\n";
-}
+)" + wave_series;
 
 const std::string own_case =
-    small_case + own_run + row("mine", "amplitude_error", "0.05") + row("mine", "phase_lag", "5.0");
+    small_case + own_run + own_row("amplitude_error", "0.05") + own_row("phase_lag", "5.0");
 
 class GateVerdict : public SmallCampaign {
  protected:
@@ -166,7 +152,7 @@ TEST_F(GateVerdict, NamesTheRowsThatWereLostAndEndsWithFiveUntilTheyAreApproved)
   ASSERT_EQ(campaign().status, 0);
   approve({"--new"});
   EXPECT_EQ(gate().status, 0);
-  write_campaign(small_case + own_run + row("mine", "amplitude_error", "0.05"));
+  write_campaign(small_case + own_run + own_row("amplitude_error", "0.05"));
   const Ended lost = gate({"--inconclusive-exit", "0"});
   EXPECT_EQ(lost.status, 5) << lost.out;
   for (const std::string& text : {lost.out, gate_md()}) {
@@ -278,7 +264,7 @@ TEST_F(GateVerdict, OfAnEarlierStartDoesNotOutliveAGateThatEndsEarly) {
 }
 
 TEST_F(GateVerdict, OfInconclusiveRowsThatMayPassIsNoFailureInJUnit) {
-  write_campaign(small_case + own_run + row("mine", "amplitude_error", "0.01"));
+  write_campaign(small_case + own_run + own_row("amplitude_error", "0.01"));
   const std::vector<std::string> start{"gate", "./surges.toml", "-o", "out"};
   const Ended strict = tool(start);
   ASSERT_EQ(strict.status, 5) << strict.out;
@@ -328,8 +314,8 @@ quantity = "elevation@right"
 unit = "m"
 uncertainty = 0.0001
 )";
-  write_campaign(small_case + own_run + record + row("mine", "amplitude_error", "0.05") +
-                 with(row("mine", "phase_lag", "5.0"), "\"theory\"", "\"measured\""));
+  write_campaign(small_case + own_run + record + own_row("amplitude_error", "0.05") +
+                 with(own_row("phase_lag", "5.0"), "\"theory\"", "\"measured\""));
   EXPECT_EQ(campaign().status, 0) << "without --experiments the record is not asked for";
   fs::create_directories(directory() / "records/tank");
   const auto with_records = [&] {
@@ -341,6 +327,103 @@ uncertainty = 0.0001
   fs::remove(directory() / "records/tank/wave.csv");
   fs::create_symlink("nowhere", directory() / "records/tank/wave.csv");
   EXPECT_EQ(with_records().status, 4) << "a dangling link";
+  fs::remove(directory() / "records/tank/wave.csv");
+  fs::create_symlink("wave.csv", directory() / "records/tank/wave.csv");
+  const Ended loop = with_records();
+  EXPECT_EQ(loop.status, 4) << "a link to itself";
+  EXPECT_TRUE(holds(loop.out, "not compared")) << loop.err;
+  fs::remove(directory() / "records/tank/wave.csv");
+  write("records/tank/wave.csv", "");
+  const Ended empty = with_records();
+  EXPECT_EQ(empty.status, 2);
+  EXPECT_TRUE(holds(empty.err, "wave.csv:1: head = (nothing): expected a line with the columns'"));
+}
+
+// Of a campaign that has passed in a gate and in a report.
+class EarlierVerdict : public GateVerdict {
+ protected:
+  void pass_both() const {
+    write_campaign(own_case);
+    EXPECT_EQ(tool({"report", "./surges.toml", "-o", place}).status, 0);
+    EXPECT_EQ(tool({"gate", "./surges.toml", "-o", place}).status, 0);
+    EXPECT_TRUE(holds(page(), "Pass</strong>"));
+    EXPECT_TRUE(holds(gate_page(), "PASS"));
+    EXPECT_EQ(all().status, 0);
+  }
+  Ended all() const { return tool({"report", "--all", "-o", "all"}); }
+  std::string page() const { return read(place + "/report/index.html"); }
+  std::string gate_page() const { return read(place + "/gate/gate.md"); }
+  void expect_no_pass(const std::string& why) const {
+    EXPECT_FALSE(holds(page(), "Pass</strong>")) << why;
+    EXPECT_FALSE(holds(gate_page(), "PASS")) << why;
+    EXPECT_NE(all().status, 0) << why;
+  }
+  const std::string place = "all/surges";
+};
+
+TEST_F(EarlierVerdict, OutlivesNoLaterOneThatIsWorse) {
+  ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", place}).status, 0);
+  for (const char* command : {"gate", "campaign", "report"}) {
+    pass_both();
+    write_campaign(with(own_case, "limit = 0.05", "limit = 0.001"));
+    EXPECT_EQ(tool({command, "./surges.toml", "-o", place}).status, 1);
+    expect_no_pass(command);
+    EXPECT_EQ(all().status, 1) << command;
+  }
+  pass_both();
+  EXPECT_EQ(tool({"report", "./surges.toml", "-o", place}).status, 0);
+  EXPECT_TRUE(holds(gate_page(), "PASS")) << "a report that says the same leaves it";
+}
+
+TEST_F(EarlierVerdict, OutlivesNoStartThatEndsEarly) {
+  ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", place}).status, 0);
+  const std::vector<std::vector<std::string>> mistakes{
+      {"--experiments", "/nonexistent"}, {"--only", "nosuch"}, {"--tag", "nosuch"},
+      {"--inconclusive-exit", "256"},    {"--nosuch"},         {"--store", ""}};
+  for (const auto& mistake : mistakes)
+    for (const char* command : {"gate", "campaign"}) {
+      pass_both();
+      std::vector<std::string> words{command, "./surges.toml", "-o", place};
+      words.insert(words.end(), mistake.begin(), mistake.end());
+      EXPECT_EQ(tool(words).status, 2) << mistake.front();
+      expect_no_pass(mistake.front());
+    }
+  for (const char* command : {"gate", "report"}) {
+    pass_both();
+    const Ended full =
+        end_of(start("/bin/sh", {"-c", "\"$0\" \"$1\" ./surges.toml -o \"$2\" >/dev/full",
+                                 SLOSH_TOOL, command, place}));
+    EXPECT_EQ(full.status, 4);
+    expect_no_pass("a full standard output");
+  }
+  pass_both();
+  EXPECT_EQ(tool({"gate", "--help"}).status, 0);
+  EXPECT_TRUE(holds(gate_page(), "PASS"));
+}
+
+TEST_F(EarlierVerdict, IsTheExitStatusThatTheUserAskedFor) {
+  write_campaign(small_case + own_run + own_row("amplitude_error", "0.01"));
+  ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", place, "--inconclusive-exit", "0"}).status, 0);
+  EXPECT_TRUE(holds(read(place + "/report/results.json"), "\"exit_status\": 0,"));
+  EXPECT_EQ(all().status, 5);
+  EXPECT_EQ(tool({"report", "--all", "-o", "all", "--inconclusive-exit", "0"}).status, 0);
+}
+
+TEST_F(EarlierVerdict, IsReadAsItIsWritten) {
+  ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", place}).status, 0);
+  const std::string data = read(place + "/report/results.json");
+  for (const char* status :
+       {"0.5", "4294967296", "1,\n  \"exit_status\": 0", "-1", "true", "\"0\""}) {
+    write(place + "/report/results.json",
+          with(data, "\"exit_status\": 0", "\"exit_status\": " + std::string(status)));
+    EXPECT_EQ(all().status, 2) << status << ": no campaign is left";
+  }
+}
+
+TEST_F(GateVerdict, OfNothingIsProposedAsNoBaseline) {
+  write_program("exit 1\n");
+  ASSERT_EQ(campaign().status, 3);
+  EXPECT_EQ(on_ledger({"baseline", "propose"}, {"--new"}).status, 3);
 }
 
 }  // namespace

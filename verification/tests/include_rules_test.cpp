@@ -1,7 +1,8 @@
 // What the rooms of the project may include. The table in docs/architecture.md states it; this test
 // holds these rules:
 // - a room includes exactly the rooms that the table names for it;
-// - the leaves include nothing of the harness, directly or indirectly;
+// - the leaves include nothing of the harness, directly or indirectly, and those that write reports
+//   only how files are written;
 // - what judges includes nothing of what draws, directly or indirectly;
 // - no room and no unit (a header and its source) includes itself indirectly;
 // - a folder holds at most `most_files` source files.
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 const fs::path source = SLOSH_SOURCE_DIR;
 constexpr int most_files = 22;
 
-// These rooms never include anything of verification/, whatever the table says.
+// These rooms never include more of verification/, whatever the table says.
 const std::set<std::string> leaves{"sph",
                                    "reference",
                                    "openfoam_cases",
@@ -157,7 +158,9 @@ std::string broken_rules(const Project& project) {
   std::string broken;
   for (const std::string& leaf : leaves)
     for (const std::string& room : reached(project.rooms, leaf))
-      if (room.starts_with("verification")) broken += leaf + " reaches " + room + "\n";
+      if (room.starts_with("verification") &&
+          !(leaf.starts_with("reports") && room == "verification/files"))
+        broken += leaf + " reaches " + room + "\n";
   for (const std::string& judge : judges)
     for (const std::string& room : reached(project.rooms, judge))
       if (room.starts_with("reports")) broken += judge + " reaches " + room + "\n";

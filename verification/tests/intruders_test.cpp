@@ -42,13 +42,7 @@ std::string scripted_run(const std::string& script, const std::string& more = ""
          script +
          "''', \"{case_directory}\", \"" STAND_IN_SOLVER
          "\", \"{case_file}\", \"wave.csv\", \"scaled\", \"1.01\"]\n" +
-         more + R"([[run.series]]
-quantity = "elevation@right"
-file = "wave.csv"
-format = "csv"
-time_column = "t"
-column = "eta"
-)";
+         more + wave_series;
 }
 
 const std::string solve = "\"$@\"; ", facts = "facts = \"cost.json\"\n";
@@ -266,6 +260,111 @@ TEST_F(Intruders, LeadNoResultIntoOtherFiles) {
     EXPECT_EQ(exported.out.find("41.75"), std::string::npos) << attack.name;
     EXPECT_EQ(quick({"compare", "a.h5", "a.h5"}).status, 4) << attack.name;
   }
+}
+
+// What a pull request may name, and what it may not: a checkout lies beside the secrets of a
+// runner.
+TEST_F(Intruders, ReadNoDataOutsideTheRepositoryOfTheirCase) {
+  const std::string table = secret + ";b\n1;2\n",
+                    json = "{\"schema_version\": 1, \"auths\": \"" + secret + "\"}";
+  fs::create_directories(directory() / "repository/.git");
+  fs::create_directories(directory() / "repository/cases");
+  fs::create_directories(directory() / "repository/data");
+  for (const char* place : {"", "repository/.git/", "repository/data/."}) {
+    write(place + std::string("token.csv"), table);
+    write(place + std::string("docker.json"), json);
+    write(place + std::string("case.toml"), secret + "\n");
+  }
+  fs::create_symlink(directory() / "token.csv", directory() / "repository/data/linked.csv");
+  fs::create_directory_symlink(directory(), directory() / "repository/linked");
+  const std::string absolute = (directory() / "token.csv").string();
+  const auto motion = [](const std::string& file) {
+    return with(small_case, "type = \"sine\"\namplitude_m = 0.02\nangular_frequency_rad_s = 3.0",
+                "type = \"table\"\nfile = \"" + file + "\"");
+  };
+  const auto stored = [](const std::string& file, const std::string& facts) {
+    return small_case +
+           with(with(with(with(stored_run, "\"a.h5\"", "\"" + file + "\""), "hdf5", "csv"),
+                     "\"facts.json\"", "\"" + facts + "\""),
+                "column = \"value\"", "column = \"b\"");
+  };
+  std::vector<std::string> cases;
+  for (const std::string& file :
+       {std::string("../../token.csv"), absolute, std::string("../data/linked.csv"),
+        std::string("../linked/token.csv"), std::string("../.git/token.csv"),
+        std::string("../data/.token.csv"), "/proc/self/root" + absolute}) {
+    cases.push_back(motion(file));
+    cases.push_back(stored(file, "../data/facts.json"));
+    cases.push_back(small_case + "[[run]]\nname = \"earlier\"\nsolver = \"record\"\nfile = \"" +
+                    file + "\"\n");
+  }
+  for (const char* file : {"../../docker.json", "../.git/docker.json", "../linked/docker.json"})
+    cases.push_back(stored("../data/series.csv", file));
+  write("repository/data/facts.json", stored_facts);
+  write("repository/data/series.csv", "time,b\n0,1\n1,1\n2,1\n9,1\n");
+  for (const std::string& text : cases) {
+    write("repository/cases/small.toml", text);
+    const Ended ended = quick({"check", "repository/cases/small.toml"});
+    EXPECT_EQ(ended.status, 2) << text.substr(text.size() - 300);
+    EXPECT_TRUE(holds(ended.err, "links followed, and not a hidden one")) << ended.err;
+  }
+  write("repository/cases/small.toml", stored("../data/series.csv", "../data/facts.json"));
+  EXPECT_EQ(quick({"check", "repository/cases/small.toml"}).status, 0);
+  for (const char* member : {"../../case.toml", "../.git/case.toml", "../linked/case.toml"}) {
+    write("repository/cases/all.toml",
+          "schema_version = 1\nname = \"all\"\ntitle = \"A\"\nsource = \"b\"\ncases = [\"" +
+              std::string(member) + "\"]\n");
+    EXPECT_EQ(quick({"gate", "repository/cases/all.toml", "-o", "out"}).status, 2) << member;
+  }
+  // Without a repository, the directory above the case's is where data may lie too.
+  fs::remove_all(directory() / "repository/.git");
+  EXPECT_EQ(quick({"check", "repository/cases/small.toml"}).status, 0);
+  write("repository/cases/small.toml", motion("../../token.csv"));
+  EXPECT_EQ(quick({"check", "repository/cases/small.toml"}).status, 2);
+}
+
+TEST_F(Intruders, ReadNoRecordOutsideTheDirectoryOfTheRecords) {
+  write("token.csv", secret + ",eta_m\n0,1\n");
+  write("small.toml", small_case + R"([[run]]
+name = "measured"
+solver = "record"
+experiment = "wave.csv"
+time_column = "t_s"
+value_column = "eta_m"
+quantity = "elevation@right"
+unit = "m"
+)");
+  fs::create_directory(directory() / "records");
+  fs::create_symlink("../token.csv", directory() / "records/wave.csv");
+  const Ended ended = quick({"check", "./small.toml", "--experiments", "records"});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_TRUE(holds(ended.err, "experiment = \"wave.csv\": expected a file below "));
+}
+
+TEST_F(Intruders, ReadNoFileOfHolesThatIsLargerThanAny) {
+  write("sparse", "");
+  fs::resize_file(directory() / "sparse", std::uintmax_t{100} << 30);
+  const std::string too_large = "cannot read 107374182400 bytes, expected at most 1000000000";
+  write_campaign(with(small_case,
+                      "type = \"sine\"\namplitude_m = 0.02\nangular_frequency_rad_s = 3.0",
+                      "type = \"table\"\nfile = \"sparse\""));
+  std::vector<std::vector<std::string>> all{{"check", "./small.toml"},
+                                            {"check", "./sparse"},
+                                            {"export", "sparse", "--csv"},
+                                            {"compare", "sparse", "sparse"}};
+  for (const char* format : {"csv", "hdf5"})
+    all.push_back({"import", "sparse", "--format", format, "--time", "t", "--unit", "m",
+                   "--time-unit", "s", "--series", "elevation@right=b", "-o", "b.h5"});
+  for (const auto& words : all) {
+    const Ended ended = quick(words);
+    EXPECT_GT(ended.status, 0) << words[0];
+    EXPECT_TRUE(holds(ended.err, "sparse")) << words[0];
+    EXPECT_TRUE(words[1] == "./sparse" || holds(ended.err, too_large)) << words[0];
+  }
+  write_campaign(small_case);
+  const Ended gate = quick({"gate", "./surges.toml", "--output", "out", "--ledger", "sparse"});
+  EXPECT_EQ(gate.status, 4);
+  EXPECT_TRUE(holds(gate.err, too_large));
 }
 
 TEST_F(Intruders, ReadNothingOfThisProcess) {

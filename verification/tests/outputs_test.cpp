@@ -412,6 +412,53 @@ TEST_F(Outputs, WriteAReportAgainWhosePagesWereEditedOrRemoved) {
   }
 }
 
+// Names alone say of no file that Slosh has made it.
+TEST_F(Outputs, ReplaceNothingOfAUsersThatHasTheNameOfAnOutput) {
+  for (const char* file : {"report/figures/mine.svg", "report/tables/mine.csv", "report/index.html",
+                           "report/results.json"}) {
+    fs::remove_all(directory() / "out/report");
+    fs::create_directories((directory() / "out" / file).parent_path());
+    write(std::string("out/") + file, "a week of work");
+    const Ended ended = campaign();
+    EXPECT_EQ(ended.status, 4) << file;
+    EXPECT_TRUE(holds(ended.err, "which is no part of a report")) << file;
+    EXPECT_EQ(read(std::string("out/") + file), "a week of work");
+  }
+  fs::remove_all(directory() / "out/report");
+  ASSERT_EQ(campaign().status, 0);
+  write("out/report/figures/mine.svg", "a week of work");
+  EXPECT_EQ(campaign().status, 4) << "in a report that Slosh has made";
+  EXPECT_EQ(read("out/report/figures/mine.svg"), "a week of work");
+  fs::create_directories(directory() / "new/jobs/list_1");
+  for (const char* file : {"jobs.cbor", "notes.txt"})
+    write(std::string("new/jobs/list_1/") + file, "a week of work");
+  fs::create_directories(directory() / "new/runs/small");
+  write("new/runs/small/theory.log", "a week of work");
+  const Words start{"campaign", "./surges.toml", "-o", "new", "--store", "another"};
+  const Ended logged = tool(start);
+  EXPECT_EQ(logged.status, 4);
+  EXPECT_TRUE(holds(logged.err, "theory.log"));
+  EXPECT_EQ(read("new/runs/small/theory.log"), "a week of work");
+  fs::remove(directory() / "new/runs/small/theory.log");
+  EXPECT_EQ(tool(start).status, 0);
+  EXPECT_EQ(read("new/jobs/list_1/notes.txt"), "a week of work");
+  fs::remove_all(directory() / "mine.work");
+  fs::create_directories(directory() / "mine.work/mine.external");
+  write("mine.work/mine.external/notes.txt", "a week of work");
+  EXPECT_EQ(run("mine").status, 3);
+  EXPECT_EQ(read("mine.work/mine.external/notes.txt"), "a week of work");
+}
+
+TEST_F(Outputs, OfAStudyReplaceNoTableOfAUsers) {
+  fs::create_directory(directory() / "study");
+  write("study/motion.csv", "a week of work");
+  EXPECT_EQ(tool({"converge", "./small.toml", "--family", "copy", "--spacings", "0.04,0.02,0.01",
+                  "-o", "study"})
+                .status,
+            4);
+  EXPECT_EQ(read("study/motion.csv"), "a week of work");
+}
+
 TEST_F(Outputs, KeepAUsersFileWhereTheLinkOfARunGoes) {
   fs::create_directories(directory() / "out/runs/small");
   write("out/runs/small/theory.h5", "my own");

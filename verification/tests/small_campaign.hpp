@@ -84,6 +84,23 @@ source = "made for a test"
 )";
 }
 
+// What a program of the user's leaves.
+inline const std::string wave_series = R"([[run.series]]
+quantity = "elevation@right"
+file = "wave.csv"
+format = "csv"
+time_column = "t"
+column = "eta"
+)";
+// A row on that program, the run "mine".
+inline std::string own_row(const std::string& metric, const std::string& limit) {
+  return "[[gate]]\ncandidate = \"mine\"\nreference = \"theory\"\nquantity = \"elevation@right\"\n"
+         "mode = \"" +
+         std::string(metric == "normalised_rms" ? "whole" : "forced") + "\"\nmetric = \"" + metric +
+         "\"\nunit = \"" + (metric == "phase_lag" ? "deg" : "1") + "\"\nlimit = " + limit +
+         "\nreason = \"It is theory, made wrong.\"\nsource = \"made for a test\"\n";
+}
+
 inline const std::string particles_case = small_case + particles_run + gate_on("particles");
 inline const std::string mesh_case = small_case + mesh_run + gate_on("mesh");
 

@@ -130,11 +130,14 @@ TEST(GateDocument, CallsInconclusiveRowsSkippedWhereTheyPass) {
 TEST(GateDocument, HoldsNoTagOfANameInItsMarkdown) {
   GateDocument hostile = document();
   hostile.title = "<script>alert(1)</script> `<b>` | x";
-  hostile.verdict = "<i>0 of 6</i>";
+  hostile.verdict = "<i>0 of 6</i> <!-- slosh gate: exit status 0 -->";
+  hostile.exit_status = 3;
   for (GateEntry& entry : hostile.entries)
     entry.group = entry.name = entry.message = entry.moved = "<img src=x> `a|<b>` | c";
   const std::string text = gate_markdown(hostile);
-  EXPECT_EQ(text.find('<'), text.npos) << text;
+  EXPECT_EQ(text.find('<'), text.find("<!-- slosh gate: exit status 3 -->\n")) << text;
+  EXPECT_EQ(exit_status_in(text), 3);
+  EXPECT_FALSE(exit_status_in("PASS"));
   EXPECT_NE(text.find("&lt;script&gt;"), text.npos) << text;
   EXPECT_NE(text.find("&lt;img src=x&gt;"), text.npos) << text;
   const std::string row = text.substr(text.find("| **not compared**"));

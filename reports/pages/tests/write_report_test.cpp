@@ -41,7 +41,7 @@ TEST(WrittenReport, HasAllItsFilesAndLeavesNothingBeside) {
     EXPECT_TRUE(fs::is_regular_file(scratch / "campaign/report" / name)) << name;
   }
   EXPECT_EQ(entries(scratch / "campaign"), 1u);
-  EXPECT_EQ(entries(scratch / "campaign/report"), 4u);
+  EXPECT_EQ(entries(scratch / "campaign/report"), 5u) << "with the list of what was made";
   EXPECT_EQ(read_text(scratch / "campaign/report/results.json"), sample_report().results_json);
 }
 
@@ -116,7 +116,7 @@ TEST(WrittenReport, PlaysAnAnimationOnlyWhereItIsAskedFor) {
 TEST(PagedReport, HasAFileForEachPageWithItsOwnSectionsAndVerdict) {
   const ScratchDirectory scratch;
   write_report(paged_report(), scratch / "report");
-  EXPECT_EQ(entries(scratch / "report"), 6u);
+  EXPECT_EQ(entries(scratch / "report"), 7u);
   const std::string first = read_text(scratch / "report/index.html"),
                     waves = read_text(scratch / "report/waves.html"),
                     cost = read_text(scratch / "report/cost.html");
@@ -206,7 +206,8 @@ TEST(WrittenReport, NeverReplacesADirectoryOfOtherThings) {
 }
 
 TEST(WrittenReport, NeverReplacesADirectoryThatOnlyHasTheNamesOfAReports) {
-  for (const char* own : {"report.md", "report.pdf", "figures/tank.tex", "figures/old/tank.svg",
+  for (const char* own : {"index.html", "results.json", "figures/tank.svg", "tables/tank.csv",
+                          "report.md", "report.pdf", "figures/tank.tex", "figures/old/tank.svg",
                           "tables/motion.toml", "figures"}) {
     const ScratchDirectory scratch;
     const fs::path file = scratch / "report" / own;

@@ -53,10 +53,15 @@ TEST(RecordedCampaign, IsRefusedWhereTheTextIsOfSomethingElse) {
   EXPECT_THROW(recorded_campaign(odd.dump(), "x"), std::invalid_argument);
   odd["exit_status"] = 0;
   EXPECT_NO_THROW(recorded_campaign(odd.dump(), "x"));
-  for (const char* verdict : {"violated", "solver failed", "inconclusive", "good"}) {
-    nlohmann::json forged = odd;
+  nlohmann::json forged = odd;
+  for (const char* verdict : {"violated", "solver failed", "good"}) {
     forged["cases"][0]["gate"][0]["verdict"] = verdict;
     EXPECT_THROW(recorded_campaign(forged.dump(), "x"), std::invalid_argument) << verdict;
+  }
+  forged["cases"][0]["gate"][0]["verdict"] = "inconclusive";
+  for (const int asked : {0, 5, 77}) {
+    forged["exit_status"] = asked;
+    EXPECT_EQ(recorded_campaign(forged.dump(), "x").exit_status, 5) << "--inconclusive-exit";
   }
   odd["model_bias"][0]["comparisons"][0].erase("predicted");
   EXPECT_THROW(recorded_campaign(odd.dump(), "x"), std::invalid_argument);

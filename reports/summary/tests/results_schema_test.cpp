@@ -103,7 +103,7 @@ TEST(ResultsSchema, RefusesAValueOfAnotherTypeAndAKeyThatItDoesNotKnow) {
   };
   EXPECT_NE(with("/schema_version", 2), "");
   EXPECT_NE(with("/quick", "yes"), "");
-  EXPECT_NE(with("/exit_status", 6), "");
+  EXPECT_NE(with("/exit_status", 0.5), "");
   EXPECT_NE(with("/cases/0/gate/0/verdict", "perhaps"), "");
   EXPECT_NE(with("/cases/0/gate/0/value", "0.01"), "");
   EXPECT_NE(with("/cases/0/gate/0/line", 1.5), "");

@@ -88,7 +88,7 @@ class SpacingStudies : public ::testing::Test {
  protected:
   CaseDefinition made(const CaseDefinition& definition, const SpacingStudy& study) const {
     const fs::path file = temporary_.path() / (definition.name + ".toml");
-    std::ofstream(file) << spacing_study_text(definition, study);
+    std::ofstream(file) << spacing_study_text(definition, study).text;
     return read_case(file);
   }
   std::string key(const CaseDefinition& definition, const std::string& run) const {

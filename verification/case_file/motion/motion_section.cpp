@@ -7,6 +7,7 @@
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/case_file/motion/roll_limits.hpp"
+#include "verification/input/input_files.hpp"
 
 namespace slosh {
 namespace {
@@ -33,10 +34,7 @@ struct HistoryForm {
 
 std::filesystem::path file_beside(const TomlTable& table, const std::filesystem::path& case_file) {
   std::filesystem::path file = case_file.parent_path() / table.get("file", any_text());
-  if (!std::filesystem::is_regular_file(file)) {
-    table.refuse("file",
-                 "a CSV file's path relative to the case file; there is no " + file.string());
-  }
+  require_data_file(table, "file", file, case_file);
   return file;
 }
 

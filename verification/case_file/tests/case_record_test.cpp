@@ -95,7 +95,7 @@ TEST(RecordOfACase, IsRefusedByItsOwnLine) {
 TEST(RecordOfACase, HasAFileAndAPositiveUncertainty) {
   const std::vector<std::pair<std::string, std::string>> keys{
       {"", "dam.toml:41: run.file is missing: expected a text that is not empty"},
-      {"file = \"none.csv\"\n", "dam.toml:44: run.file = \"none.csv\": expected a CSV file's path"},
+      {"file = \"none.csv\"\n", "dam.toml:44: run.file = \"none.csv\": expected a file relative"},
       {"file = \"front.csv\"\nuncertainty = 0\n",
        "dam.toml:45: run.uncertainty = 0: expected a number > 0, in m"},
       {"file = \"front.csv\"\nscheme = \"any\"\n",

@@ -99,7 +99,8 @@ TEST(ExperimentRecord, IsNotSuppliedWhereNoDirectoryIsNamedOrTheFileIsNotThere) 
 
 TEST(ExperimentRecord, IsRefusedByItsOwnLine) {
   const std::vector<std::pair<std::string, std::string>> records{
-      {"", "probe.csv:1: head = : expected a line with the columns' names above the numbers"},
+      {"",
+       "probe.csv:1: head = (nothing): expected a line with the columns' names above the numbers"},
       {"t,p\n", "probe.csv:1: time_column = t_s: expected one of the file's 2 columns; nearest: t"},
       {"t_s,p\n0,1\n1,2\n2,3\n", "probe.csv:4: rows = 3: expected at least 4"},
       {"t_s,p\n0,1\n1,x\n", "probe.csv:3: p = x: expected a number, in kPa"},

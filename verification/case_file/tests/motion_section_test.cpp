@@ -258,9 +258,8 @@ TEST(MotionSection, RefusesARollThatMakesNoSense) {
        "amplitude_deg"},
       {table_roll + "ramp_periods = 1\n",
        "trial.toml:22: motion.roll.ramp_periods = 1: expected only these keys here: type, file"},
-      {table_roll, "trial.toml:19: motion.roll.file = \"roll.csv\": expected a CSV file's path"},
-      {table_surge,
-       "trial.toml:19: motion.surge.file = \"surge.csv\": expected a CSV file's path"}};
+      {table_roll, "trial.toml:19: motion.roll.file = \"roll.csv\": expected a file relative"},
+      {table_surge, "trial.toml:19: motion.surge.file = \"surge.csv\": expected a file relative"}};
   for (const auto& [roll, wanted] : rolls) {
     const std::string message = complaint_about_motion(roll);
     EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
@@ -270,7 +269,8 @@ TEST(MotionSection, RefusesARollThatMakesNoSense) {
 TEST(MotionSection, RefusesABadSurgeTableByItsOwnLine) {
   const std::string head = "time_s,displacement_m\n";
   const Complaints tables{
-      {"", "surge.csv:1: head = : expected a line with the columns' names above the numbers"},
+      {"",
+       "surge.csv:1: head = (nothing): expected a line with the columns' names above the numbers"},
       {"t,x\n0,0\n", "surge.csv:1: header = t,x: expected time_s and one of displacement_m, "},
       {"time_s,angle_deg\n0,0\n",
        "surge.csv:1: header = time_s,angle_deg: expected time_s and one of disp"},

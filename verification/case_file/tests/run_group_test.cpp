@@ -90,7 +90,8 @@ TEST(RunGroup, GivesARunToASpacingStudy) {
   const std::string text = spacing_study_text(definition, {.candidate = "ours_25mm",
                                                            .family = "",
                                                            .spacings = {0.05, 0.04, 0.02},
-                                                           .reference = "theory"});
+                                                           .reference = "theory"})
+                               .text;
   const CaseDefinition study = read_text(text);
   EXPECT_EQ(study.runs.size(), 4u);
   EXPECT_EQ(study.runs[1].name, "ours_25mm_at_50mm");

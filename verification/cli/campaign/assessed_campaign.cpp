@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <iostream>
+#include <stdexcept>
 #include <utility>
 
 #include "reports/model/side_by_side.hpp"
@@ -43,7 +44,10 @@ AssessedCampaign assess_present(CampaignOptions options, const Installation& ins
   return assess(requested(options, installation), never);
 }
 
-void print_lines(const std::string& text) { std::cout << as_shown(text, style_of(STDOUT_FILENO)); }
+void print_lines(const std::string& text) {
+  std::cout << as_shown(text, style_of(STDOUT_FILENO));
+  if (!std::cout.flush()) throw std::runtime_error(not_printed);
+}
 
 int requested_exit(int status, const CampaignOptions& options) {
   return status == exit_inconclusive ? options.inconclusive_exit : status;

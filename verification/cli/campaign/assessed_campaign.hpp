@@ -29,7 +29,8 @@ AssessedCampaign assess(RequestedCampaign campaign, const std::atomic<bool>& sto
 // Compares and judges the existing results. Starts no solver.
 AssessedCampaign assess_present(CampaignOptions options, const Installation& installation);
 
-// Prints on standard output, coloured and broken into lines if that is a terminal.
+// Prints on standard output, coloured and broken into lines if that is a terminal. Throws
+// std::runtime_error where it cannot: no document says more than the exit status does.
 void print_lines(const std::string& text);
 
 // Returns the exit status, with the user's own in place of exit_inconclusive.

@@ -21,6 +21,7 @@ struct MovedRows {
   std::string campaign;
   fs::path ledger, proposal;
   std::vector<RowMovement> moved;
+  int status;  // of the present results
 };
 
 // Checks the ledger before anything is judged.
@@ -42,7 +43,8 @@ MovedRows moved_rows(const CampaignOptions& options, const Installation& install
   const AssessedCampaign assessed = assess_present(options, installation);
   return {assessed.definition.name + (options.selection.quick ? " (quick form)" : ""), ledger,
           assessed.output / "baseline_proposal.json",
-          movements(baseline_of(read_ledger(ledger)), {assessed.cases, assessed.problems})};
+          movements(baseline_of(read_ledger(ledger)), {assessed.cases, assessed.problems}),
+          exit_status(assessed.cases, assessed.problems)};
 }
 
 // Prints the rows that have changed, and returns their number.
@@ -69,14 +71,16 @@ int diff_baseline(const CampaignOptions& options, const Installation& installati
   return changed == 0 ? exit_pass : exit_violated;
 }
 
-// Writes <output>/baseline_proposal.json, unless nothing has changed.
+// Writes <output>/baseline_proposal.json, unless nothing has changed. Results that are not there
+// are no reason why it has not.
 int propose_baseline(const CampaignOptions& options, const Installation& installation) {
   const MovedRows now = moved_rows(options, installation);
   print_changes(now.moved);
   const Proposal proposal{now.campaign, proposed_changes(now.moved)};
   if (proposal.changes.empty()) {
     std::cout << "nothing to propose: the baseline stands\n";
-    return exit_pass;
+    const bool has_results = now.status != exit_solver_failed && now.status != exit_not_compared;
+    return has_results ? exit_pass : now.status;
   }
   for (const fs::path& file : {now.ledger, head_of(now.ledger)}) protect_input(file);
   write_proposal(proposal, now.proposal);

@@ -11,14 +11,15 @@
 
 #include "reports/pages/write_report.hpp"
 #include "reports/summary/campaign_report.hpp"
+#include "reports/summary/results_json.hpp"
 #include "sph/threads.hpp"
 #include "verification/assessment/campaign_cost.hpp"
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/campaign/known_drawings.hpp"
 #include "verification/cli/campaign/assessed_campaign.hpp"
+#include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/cli/campaign/report_of_all.hpp"
 #include "verification/files/atomic_file.hpp"
-#include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 #include "verification/texts/assessment_text.hpp"
@@ -46,6 +47,9 @@ void leave_report(const AssessedCampaign& assessed, const CampaignOptions& optio
                   experiments_option(whole(options.experiments)));
   reports::Report report = campaign_report(assessed.definition, options.selection.quick, command,
                                            assessed.cases, assessed.problems);
+  const int status = exit_status(assessed.cases, assessed.problems);
+  if (const int asked = requested_exit(status, options); asked != status)
+    report.results_json = with_exit_status(asked, report.results_json);
   KnownDrawings drawings(assessed.output / "drawings");
   reports::write_report(report, assessed.output / "report",
                         {.threads = sph::usable_cores(),
@@ -56,21 +60,14 @@ void leave_report(const AssessedCampaign& assessed, const CampaignOptions& optio
 }
 
 // Prints each row and leaves the report.
-int run_campaign(const CampaignOptions& options, const Installation& installation,
-                 const std::atomic<bool>& stop) {
-  RequestedCampaign campaign = requested(options, installation);
-  require_possible(options, campaign.settings);
-  if (options.dry_run) {
-    std::cout << plan_text(campaign.cases, campaign.definition.problems, campaign.settings);
-    return exit_pass;
-  }
+int judge_campaign(RequestedCampaign campaign, const CampaignOptions& options,
+                   const Installation& installation, const std::atomic<bool>& stop) {
   const fs::path place = campaign.place;
-  require_no_input(place / "report");
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
   std::cerr << complaints(assessed.cases, assessed.problems);
   print_lines(gate_lines(assessed.cases, assessed.problems));
-  leave_report(assessed, options, name_or_path(assessed.definition.file, installation.campaigns));
   const int status = exit_status(assessed.cases, assessed.problems);
+  leave_report(assessed, options, name_or_path(assessed.definition.file, installation.campaigns));
   std::vector<std::string> lines{fmt::format("{}: {}{}", headline_word(status),
                                              verdict_sentence(assessed.cases, assessed.problems),
                                              coverage_sentence(assessed.cases)),
@@ -79,7 +76,28 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
                                  fmt::format("report: {}\n", page_in(place).string())};
   std::erase(lines, "");
   print_lines(fmt::format("{}", fmt::join(lines, "\n")));
-  return requested_exit(status, options);
+  return status;
+}
+
+int plan_campaign(const CampaignOptions& options, const Installation& installation) {
+  const RequestedCampaign campaign = requested(options, installation);
+  require_possible(options, campaign.settings);
+  std::cout << plan_text(campaign.cases, campaign.definition.problems, campaign.settings);
+  return exit_pass;
+}
+
+int run_campaign(const CampaignOptions& options, const Installation& installation,
+                 const std::atomic<bool>& stop) {
+  if (options.dry_run) return plan_campaign(options, installation);
+  return superseding(options, installation, [&](EarlierVerdicts& earlier) {
+    RequestedCampaign campaign = requested(options, installation);
+    require_possible(options, campaign.settings);
+    earlier.begin();
+    reports::require_replaceable(campaign.place / "report");
+    const int status = judge_campaign(std::move(campaign), options, installation, stop);
+    earlier.end("gate", status);
+    return requested_exit(status, options);
+  });
 }
 
 // Takes the place of the name of one campaign, and of what concerns the runs of one.

@@ -35,7 +35,7 @@ void add_inconclusive_option(CLI::App& command, CampaignOptions& options) {
       .add_option("--inconclusive-exit", options.inconclusive_exit,
                   "Exit status where rows are inconclusive and nothing is worse (default: 5)")
       ->type_name("N")
-      ->check(keeps(integer_between(0, 125)));
+      ->check(keeps(integer_between(0, largest_exit)));
 }
 
 void add_ledger_option(CLI::App& command, CampaignOptions& options) {

@@ -8,6 +8,7 @@
 
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
+#include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/cli/campaign/gate_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/texts/assessment_text.hpp"
@@ -40,6 +41,13 @@ bool loses_validation(const std::vector<RowMovement>& movements) {
                      [](const RowMovement& one) { return one.loses_validation(); });
 }
 
+struct GateStart {
+  const CampaignOptions& options;
+  const Installation& installation;
+  const std::atomic<bool>& stop;
+  EarlierVerdicts& earlier;
+};
+
 // The exit status of the rows, or that of an inconclusive one where all hold and one of validation
 // is lost.
 int status_of(const AssessedCampaign& assessed, const std::vector<RowMovement>& movements) {
@@ -47,48 +55,37 @@ int status_of(const AssessedCampaign& assessed, const std::vector<RowMovement>& 
   return judged == exit_pass && loses_validation(movements) ? exit_inconclusive : judged;
 }
 
-int judge_campaign(RequestedCampaign campaign, const fs::path& ledger,
-                   const CampaignOptions& options, const Installation& installation,
-                   const std::atomic<bool>& stop) {
+int judge_campaign(RequestedCampaign campaign, const fs::path& ledger, const GateStart& start) {
   // Read before a program of the user's starts.
   const std::vector<Approval> approvals = read_ledger(ledger);
   const Baseline baseline = baseline_of(approvals);
-  const AssessedCampaign assessed = assess(std::move(campaign), stop);
+  start.earlier.begin();
+  const AssessedCampaign assessed = assess(std::move(campaign), start.stop);
   GateFindings findings{.movements = movements(baseline, {assessed.cases, assessed.problems,
-                                                          options.selection.is_partial()}),
+                                                          start.options.selection.is_partial()}),
                         .has_baseline = !approvals.empty(),
-                        .inconclusive_passes = options.inconclusive_exit == exit_pass};
+                        .inconclusive_passes = start.options.inconclusive_exit == exit_pass};
   findings.status = status_of(assessed, findings.movements);
   std::cerr << complaints(assessed.cases, assessed.problems);
   print_lines(gate_lines(assessed.cases, assessed.problems));
   print_changes(findings, ledger);
   const fs::path directory = assessed.output / "gate";
-  const reports::GateDocument document = gate_document(assessed, findings, installation.source);
+  const reports::GateDocument document =
+      gate_document(assessed, findings, start.installation.source);
   write_gate_files(document, directory);
   print_lines(fmt::format("{}\n{}\ngate: {}, junit.xml\n", document.verdict, document.basis,
                           (directory / "gate.md").string()));
+  start.earlier.end("report", findings.status);
   // A lost row is not inconclusive: only an approval takes it out.
   return loses_validation(findings.movements) ? findings.status
-                                              : requested_exit(findings.status, options);
+                                              : requested_exit(findings.status, start.options);
 }
 
-// Documents of an earlier start do not outlive a gate that ends early. They are replaced as soon as
-// the inputs are known, none of which may lie there.
-int gate_campaign(const CampaignOptions& options, const Installation& installation,
-                  const std::atomic<bool>& stop) {
-  const fs::path directory = place_of(options, installation) / "gate";
-  try {
-    RequestedCampaign campaign = requested(options, installation);
-    const fs::path ledger = ledger_of(options, campaign.definition, installation);
-    for (const fs::path& file : {ledger, head_of(ledger)}) protect_input(file);
-    supersede_gate_files(options.campaign, "the gate has not come to its verdict", directory);
-    return judge_campaign(std::move(campaign), ledger, options, installation, stop);
-  } catch (const OutputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    supersede_gate_files(options.campaign, error.what(), directory);
-    throw;
-  }
+int gate_campaign(const GateStart& start) {
+  RequestedCampaign campaign = requested(start.options, start.installation);
+  const fs::path ledger = ledger_of(start.options, campaign.definition, start.installation);
+  for (const fs::path& file : {ledger, head_of(ledger)}) protect_input(file);
+  return judge_campaign(std::move(campaign), ledger, start);
 }
 
 }  // namespace
@@ -102,7 +99,9 @@ void add_gate_command(const CommandTree& tree) {
        {"./slosh gate " + std::string(example_run) + " --inconclusive-exit 0"}},
       [tree](const CampaignOptions& options) {
         tree.stop_on_signals();
-        return gate_campaign(options, tree.installation, tree.stop);
+        return superseding(options, tree.installation, [&](EarlierVerdicts& earlier) {
+          return gate_campaign({options, tree.installation, tree.stop, earlier});
+        });
       });
   add_selection_options(*gate, gate_options->selection);
   add_inconclusive_option(*gate, *gate_options);

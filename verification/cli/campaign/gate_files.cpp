@@ -20,8 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using reports::GateOutcomeKind;
 
-constexpr const char *junit_name = "junit.xml", *markdown_name = "gate.md";
-
 GateOutcomeKind kind_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::pass:
@@ -175,6 +173,7 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed, const Gate
                                             (changes.empty() ? "" : " " + changes),
                                  .entries = {},
                                  .basis = kinds_sentence(assessed.cases, assessed.problems),
+                                 .exit_status = findings.status,
                                  .inconclusive_passes = findings.inconclusive_passes};
   for (const CaseAssessment& one : assessed.cases) {
     for (const GateOutcome& outcome : one.gate)
@@ -198,26 +197,7 @@ void write_gate_files(const reports::GateDocument& document, const fs::path& dir
     replace_file(directory / name, text, Durability::process_crash);
   };
   write(junit_name, reports::junit_xml(document));
-  write(markdown_name, reports::gate_markdown(document));
-}
-
-void supersede_gate_files(const std::string& campaign, const std::string& why,
-                          const fs::path& directory) {
-  const std::array files{directory / junit_name, directory / markdown_name};
-  for (const fs::path& one : files) require_no_input(one);
-  if (std::none_of(files.begin(), files.end(), [](const fs::path& one) { return fs::exists(one); }))
-    return;
-  const reports::GateDocument document{
-      .title = campaign,
-      .verdict = headline_word(exit_not_compared) + ": " + why,
-      .entries = {bare_entry(campaign, "the campaign", GateOutcomeKind::not_compared, why)}};
-  try {
-    write_gate_files(document, directory);
-  } catch (const fs::filesystem_error&) {  // no room: an old verdict must not stay for that
-    for (const fs::path& one : files)
-      if (fs::is_regular_file(one)) fs::remove(one);
-    throw;
-  }
+  write(gate_page_name, reports::gate_markdown(document));
 }
 
 }  // namespace slosh

@@ -27,15 +27,11 @@ struct GateFindings {
 reports::GateDocument gate_document(const AssessedCampaign& assessed, const GateFindings& findings,
                                     const std::filesystem::path& source);
 
+inline constexpr const char *junit_name = "junit.xml", *gate_page_name = "gate.md";
+
 // Writes <directory>/junit.xml and gate.md, each atomically. Throws
 // std::filesystem::filesystem_error.
 void write_gate_files(const reports::GateDocument& document,
                       const std::filesystem::path& directory);
-
-// Replaces the documents of an earlier start, if any, by ones that say why the campaign is not
-// judged, and removes them where they cannot be replaced. Throws as write_gate_files() does, and
-// OutputError where one of them is an input.
-void supersede_gate_files(const std::string& campaign, const std::string& why,
-                          const std::filesystem::path& directory);
 
 }  // namespace slosh

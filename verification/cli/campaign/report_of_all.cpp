@@ -9,10 +9,11 @@
 
 #include "reports/pages/write_report.hpp"
 #include "reports/summary/recorded_campaigns.hpp"
+#include "reports/summary/results_json.hpp"
 #include "sph/threads.hpp"
 #include "verification/cli/campaign/assessed_campaign.hpp"
+#include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/files/content_hash.hpp"
-#include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 
 namespace slosh {
@@ -31,18 +32,16 @@ std::vector<fs::path> results_in(const fs::path& directory) {
   return files;
 }
 
-}  // namespace
-
-int report_of_all(const CampaignOptions& options, const Installation& installation) {
+int write_report_of_all(const CampaignOptions& options, const Installation& installation,
+                        EarlierVerdicts& earlier) {
   const fs::path directory =
       fs::absolute(options.output.empty() ? installation.build / "campaigns" : options.output);
   std::vector<RecordedCampaign> campaigns;
   std::vector<std::string> left_out;
   for (const fs::path& file : results_in(directory)) try {
       if (!fs::is_regular_file(file)) throw std::invalid_argument("expected a file");
-      protect_input(file);
       campaigns.push_back(recorded_campaign(
-          read_bytes(file), fs::relative(file.parent_path() / "index.html", directory).string()));
+          read_input(file), fs::relative(file.parent_path() / "index.html", directory).string()));
     } catch (const std::invalid_argument& error) {
       left_out.push_back(file.lexically_relative(directory).string());
       std::cerr << fmt::format("{}: {}; `slosh report NAME` writes the campaign's report anew\n",
@@ -53,13 +52,23 @@ int report_of_all(const CampaignOptions& options, const Installation& installati
         "--all: expected reports of campaigns, NAME/report/results.json, in {}; `slosh campaign "
         "NAME` leaves one",
         directory.string()));
-  require_no_input(directory / "report");
-  const reports::Report report = report_of_campaigns(campaigns, left_out);
+  earlier.begin();
+  reports::require_replaceable(directory / "report");
+  reports::Report report = report_of_campaigns(campaigns, left_out);
+  const int status = exit_status(campaigns, left_out), asked = requested_exit(status, options);
+  if (asked != status) report.results_json = with_exit_status(asked, report.results_json);
   reports::write_report(report, directory / "report", {.threads = sph::usable_cores()});
-  const int status = exit_status(campaigns, left_out);
   print_lines(fmt::format("{}: {}\nreport: {}\n", headline_word(status), report.verdict,
                           (directory / "report/index.html").string()));
-  return requested_exit(status, options);
+  return asked;
+}
+
+}  // namespace
+
+int report_of_all(const CampaignOptions& options, const Installation& installation) {
+  return superseding(options, installation, [&](EarlierVerdicts& earlier) {
+    return write_report_of_all(options, installation, earlier);
+  });
 }
 
 }  // namespace slosh

@@ -59,9 +59,10 @@ std::map<std::string, std::vector<fs::path>> parts_in(const fs::path& directory)
 }  // namespace
 
 std::vector<fs::path> series_files(const fs::path& file) {
-  if (fs::is_regular_file(file)) return {file};
+  std::error_code lost;  // as where links lead in a circle
+  if (fs::is_regular_file(file, lost)) return {file};
   const fs::path directory = file.has_filename() ? file : file.parent_path();
-  if (!fs::is_directory(directory)) {
+  if (!fs::is_directory(directory, lost)) {
     const auto parts = parts_in(directory.parent_path());
     const auto found = parts.find(directory.filename().string());
     return found == parts.end() ? std::vector<fs::path>() : found->second;

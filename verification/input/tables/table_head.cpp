@@ -198,7 +198,8 @@ TableHead find_head(TableReader& reader, const std::function<bool(const TableHea
     }
   } while (reader.next());
   if (found || first) return found ? *found : *first;
-  reader.refuse("head", reader.line(), "a line with the columns' names above the numbers");
+  reader.refuse("head", reader.line().empty() ? "(nothing)" : reader.line(),
+                "a line with the columns' names above the numbers");
 }
 
 TableHead find_head(TableReader& reader, const std::vector<std::string>& columns) {

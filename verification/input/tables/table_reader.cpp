@@ -7,11 +7,12 @@
 #include <charconv>
 #include <cmath>
 
-#include "verification/files/foreign/plain_file.hpp"
-#include "verification/files/protected_inputs.hpp"
+#include "verification/files/content_hash.hpp"
 
 namespace slosh {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf", white = " \t";
 
@@ -49,21 +50,19 @@ std::string with_code_points(std::string_view text) {
 
 }  // namespace
 
-TableReader::TableReader(const std::filesystem::path& file) : file_(file) {
-  if (std::filesystem::exists(file) && !std::filesystem::is_directory(file) && !is_plain_file(file))
-    refuse("file", file.string(), "a file of a disk");
-  protect_input(file);
-  stream_.open(file);
+TableReader::TableReader(const fs::path& file) : file_(file) {
+  if (std::error_code absent; fs::exists(file, absent) || absent) try {
+      stream_.str(read_input(file));
+    } catch (const fs::filesystem_error& error) {
+      refuse("file", error.what(), "a file of a disk that can be read");
+    }
   next();
   if (is_utf_16(line_))
     refuse("encoding", "UTF-16", "UTF-8, as iconv -f UTF-16 -t UTF-8 writes it");
 }
 
 bool TableReader::next() {
-  if (!std::getline(stream_, line_)) {
-    if (stream_.bad()) refuse("rows", "cut off", "a file that can be read to its end");
-    return false;
-  }
+  if (!std::getline(stream_, line_)) return false;
   ++line_number_;
   if (line_.ends_with('\r')) line_.pop_back();
   if (line_.starts_with(byte_order_mark)) line_.erase(0, byte_order_mark.size());

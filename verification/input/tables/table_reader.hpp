@@ -3,8 +3,8 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -15,8 +15,7 @@ namespace slosh {
 class TableReader {
  public:
   // Starts at the first line, which is empty if the file is empty or cannot be read. Throws
-  // CaseFileError for a text in UTF-16 and for what is no plain file
-  // (files/foreign/plain_file.hpp).
+  // CaseFileError for a text in UTF-16 and for what read_bytes() (files/content_hash.hpp) refuses.
   explicit TableReader(const std::filesystem::path& file);
 
   // Goes to the next line. Returns false at the end, where the line is empty.
@@ -38,7 +37,7 @@ class TableReader {
 
  private:
   std::filesystem::path file_;
-  std::ifstream stream_;
+  std::istringstream stream_;
   std::string line_;
   int line_number_ = 0;
 };

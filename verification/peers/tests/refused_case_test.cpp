@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "verification/files/whole_directory.hpp"
+#include "verification/files/atomic_file.hpp"
 #include "verification/peers/tests/handed.hpp"
 
 namespace slosh::refused_case_test {

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "verification/files/content_hash.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/files/result_error.hpp"
 #include "verification/results/result_file.hpp"
 #include "verification/results/result_seals.hpp"
@@ -79,10 +80,13 @@ TEST_F(Store, FindsAResultThatWasSealedAnewAndRemovesIt) {
 TEST_F(Store, ClearsAwayWhatADeadProcessHasHalfWrittenOfTheKeyAlone) {
   put("q-a", ".h5");
   const fs::path half = store.file("q-a", "").parent_path() / ".a.h5.123.partial",
+                 mine = store.file("q-a", "").parent_path() / ".a.h5.124.partial",
                  others = store.file("q-a", "").parent_path() / ".b.h5.123.partial";
-  for (const fs::path& file : {half, others}) std::ofstream(file) << "half";
+  for (const fs::path& file : {half, others}) std::ofstream(file) << "\x89HDF\r\n half";
+  std::ofstream(mine) << "a week of work";
   const StoreLock lock(store, "q-a");
   EXPECT_FALSE(fs::exists(half));
+  EXPECT_TRUE(fs::exists(mine));
   EXPECT_TRUE(fs::exists(others));
   EXPECT_TRUE(fs::exists(store.file("q-a", ".h5")));
 }
@@ -142,8 +146,9 @@ TEST_F(Store, RemovesAllThatItHasMadeUnderAKeyAndNothingOfAnother) {
   put(removed_key, ".lock");
   const fs::path half =
       store.file(removed_key, "").parent_path() / ("." + answer + ".h5.1.partial");
-  std::ofstream(half) << "half";
+  std::ofstream(half) << "{\n \"body\": ";
   const fs::path work = store.file(removed_key, ".work");
+  claim(work);
   fs::create_directories(work / "case");
   std::ofstream(work / "case/log") << "0123456789";
   EXPECT_EQ(store.contents(removed_key).made.size(), 5u);
@@ -158,14 +163,15 @@ TEST_F(Store, RemovesNothingThatOnlyLooksLikeWhatItHasMade) {
   put_result(store, removed_key, kept_key);  // another key's
   for (const char* extension : {".json", ".timings.json", ".failure.json", ".txt", ""})
     put(removed_key, extension);
-  for (const char* extension : {".work", ".notes"})  // no lock is beside them
+  put(removed_key, ".lock");
+  for (const char* extension : {".work", ".notes"})  // not on the list of what Slosh has made
     fs::create_directories(store.file(removed_key, extension) / "mine");
   fs::create_symlink("elsewhere", store.file(removed_key, ".timing.work"));
   const auto count = [&] {
     return std::distance(fs::directory_iterator(directory.path() / question), {});
   };
   const auto before = count();
-  EXPECT_EQ(store.contents(removed_key).foreign.size(), static_cast<std::size_t>(before));
+  EXPECT_EQ(store.contents(removed_key).foreign.size(), static_cast<std::size_t>(before) - 1);
   EXPECT_TRUE(store.contents(removed_key).made.empty());
   EXPECT_TRUE(store.remove(removed_key));
   EXPECT_EQ(count(), before);

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace slosh::reports {
+namespace slosh {
 
 // Returns the text without what commands a terminal or makes XML malformed: control sequences
 // (ECMA-48, "ESC [ ... letter"), all other control characters of ASCII and of U+0080 to U+009F but
@@ -12,4 +12,4 @@ namespace slosh::reports {
 // U+202E, U+2066 to U+2069), U+FFFE and U+FFFF. U+FFFD stands for each byte that is no UTF-8.
 std::string legible(std::string_view text);
 
-}  // namespace slosh::reports
+}  // namespace slosh

@@ -1,12 +1,12 @@
 // What a program says is shown as text: it commands no terminal and leaves XML well-formed.
-#include "reports/model/legible_text.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <utility>
 
-namespace slosh::reports::legible_text_test {
+namespace slosh::legible_text_test {
 namespace {
 
 TEST(Legible, TakesOutWhatCommandsATerminalOrBreaksXml) {
@@ -39,4 +39,4 @@ TEST(Legible, LeavesWhatPeopleWrite) {
 }
 
 }  // namespace
-}  // namespace slosh::reports::legible_text_test
+}  // namespace slosh::legible_text_test

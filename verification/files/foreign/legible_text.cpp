@@ -1,9 +1,9 @@
-#include "reports/model/legible_text.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 
 #include <algorithm>
 #include <boost/locale/utf.hpp>
 
-namespace slosh::reports {
+namespace slosh {
 namespace {
 
 using Utf8 = boost::locale::utf::utf_traits<char>;
@@ -51,4 +51,4 @@ std::string legible(std::string_view text) {
   return shown;
 }
 
-}  // namespace slosh::reports
+}  // namespace slosh

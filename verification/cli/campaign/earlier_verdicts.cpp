@@ -1,0 +1,173 @@
+#include "verification/cli/campaign/earlier_verdicts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "reports/pages/report_documents.hpp"
+#include "reports/summary/recorded_campaigns.hpp"
+#include "verification/cli/campaign/gate_files.hpp"
+#include "verification/cli/campaign/requested_campaign.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/files/content_hash.hpp"
+#include "verification/files/own_files.hpp"
+#include "verification/files/protected_inputs.hpp"
+#include "verification/input/case_file_error.hpp"
+
+namespace slosh {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char *gate_folder = "gate", *report_folder = "report", *page_name = "index.html",
+                     *data_name = "results.json";
+
+reports::GateDocument superseded_gate(const std::string& campaign, int status,
+                                      const std::string& why) {
+  return {.title = campaign,
+          .verdict = headline_word(exit_not_compared) + ": " + why,
+          .entries = {{.outcome = reports::GateOutcomeKind::not_compared,
+                       .group = campaign,
+                       .name = "the campaign",
+                       .message = why,
+                       .unit = "1",
+                       .value = std::nan(""),
+                       .uncertainty = std::nan(""),
+                       .lower = {},
+                       .upper = {},
+                       .moved = "",
+                       .file = ""}},
+          .exit_status = status};
+}
+
+// The exit status that the texts of a folder tell; nullopt where none does.
+std::optional<int> told_status(const fs::path& file, const std::string& text) try {
+  if (file.filename() == gate_page_name) return reports::exit_status_in(text);
+  if (file.filename() == data_name) return recorded_campaign(text, "").exit_status;
+  return std::nullopt;
+} catch (const std::invalid_argument&) {
+  return std::nullopt;
+}
+
+// A campaign's name where its file cannot be read.
+fs::path known_place(const CampaignOptions& options, const Installation& installation) try {
+  if (options.all)
+    return whole(options.output.empty() ? installation.build / "campaigns" : options.output);
+  return place_of(options, installation);
+} catch (const CaseFileError&) {
+  CampaignOptions named = options;
+  named.output = installation.build / "campaigns" / (options.campaign + form_of(options));
+  return place_of(named, installation);
+}
+
+}  // namespace
+
+EarlierVerdicts::Place EarlierVerdicts::read(const fs::path& directory) {
+  Place place{directory, {}};
+  for (const fs::path& file :
+       {directory / gate_folder / junit_name, directory / gate_folder / gate_page_name,
+        directory / report_folder / page_name, directory / report_folder / data_name})
+    try {
+      if (file.parent_path().filename() == gate_folder || is_own(file))
+        place.texts[file] = read_bytes(file);
+    } catch (const fs::filesystem_error&) {  // there is none, or a device
+    }
+  return place;
+}
+
+EarlierVerdicts::EarlierVerdicts(const CampaignOptions& options, const Installation& installation)
+    : campaign_(options.all ? "all campaigns" : options.campaign) {
+  places_.push_back(read(known_place(options, installation)));
+  if (options.selection.is_partial())
+    places_.push_back(read(places_.front().directory.parent_path()));
+}
+
+void EarlierVerdicts::supersede(const Place& place, const char* folder, int status,
+                                const std::string& why) const {
+  const fs::path directory = place.directory / folder;
+  std::vector<fs::path> files;
+  for (const auto& [file, text] : place.texts)
+    if (file.parent_path() == directory) files.push_back(file);
+  if (files.empty()) return;
+  try {
+    if (folder == std::string(gate_folder))
+      return write_gate_files(superseded_gate(campaign_, status, why), directory);
+    const reports::Report report = superseded_report(campaign_, status, why);
+    replace_file(directory / data_name, report.results_json, Durability::process_crash);
+    replace_file(directory / page_name, reports::html_pages(report, {}).front().text,
+                 Durability::process_crash);
+  } catch (const fs::filesystem_error&) {  // no room: an old verdict must not stay for that
+    for (const fs::path& file : files)
+      if (fs::is_regular_file(file)) fs::remove(file);
+    throw;
+  }
+}
+
+void EarlierVerdicts::begin() {
+  const Place& own = places_.front();
+  for (const char* folder : {gate_folder, report_folder}) require_no_input(own.directory / folder);
+  has_begun_ = true;
+  for (const char* folder : {gate_folder, report_folder})
+    supersede(own, folder, exit_not_compared, "the start has not come to its verdict");
+}
+
+void EarlierVerdicts::end_early(const std::string& why) const {
+  for (const Place& place : places_) {
+    for (const char* folder : {gate_folder, report_folder})
+      supersede(place, folder, exit_not_compared, why);
+    if (has_begun_) return;
+  }
+}
+
+void EarlierVerdicts::end(const char* folder, int status) const {
+  const Place& own = places_.front();
+  std::optional<int> told;
+  for (const auto& [file, text] : own.texts)
+    if (file.parent_path().filename() == folder)
+      if (const auto one = told_status(file, text)) told = one;
+  if (!told || is_worse_status(status, *told))
+    return supersede(own, folder,
+                     is_worse_status(status, exit_not_compared) ? status : exit_not_compared,
+                     fmt::format("a later start has ended with exit status {}", status));
+  for (const auto& [file, text] : own.texts)
+    if (file.parent_path().filename() == folder)
+      replace_file(file, text, Durability::process_crash);
+}
+
+int superseding(const CampaignOptions& options, const Installation& installation,
+                const std::function<int(EarlierVerdicts&)>& start) {
+  EarlierVerdicts earlier(options, installation);
+  try {
+    return start(earlier);
+  } catch (const OutputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    earlier.end_early(error.what());
+    throw;
+  }
+}
+
+void supersede_for_mistake(const CLI::App& app, const Installation& installation,
+                           const std::string& mistake) {
+  for (const char* name : {"campaign", "gate", "report"}) {
+    const CLI::App& command = *app.get_subcommand(name);
+    if (!command.parsed()) continue;
+    const auto word = [&](const char* option) {
+      const std::vector<std::string>& words = command.get_option(option)->results();
+      return words.empty() ? std::string() : words.back();
+    };
+    CampaignOptions options;
+    options.campaign = word("name");
+    options.output = word("--output");
+    options.selection.quick = command.get_option("--quick")->count() > 0;
+    options.selection.only = command.get_option("--only")->results();
+    options.selection.tags = command.get_option("--tag")->results();
+    options.all = command.get_option_no_throw("--all") && command.get_option("--all")->count() > 0;
+    if (!options.campaign.empty() || !options.output.empty() || options.all)
+      EarlierVerdicts(options, installation).end_early(mistake);
+  }
+}
+
+}  // namespace slosh

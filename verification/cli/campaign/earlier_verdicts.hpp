@@ -1,0 +1,53 @@
+// The documents in which earlier starts have left their verdicts on a campaign: the gate's files,
+// and the first page and the data of the report. None of them outlives a start that comes to no
+// verdict or to a worse one.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "verification/cli/campaign/campaign_options.hpp"
+
+namespace slosh {
+
+class EarlierVerdicts {
+ public:
+  // Reads what is there in the directory that the options name, as far as that is known: the
+  // campaign's file may be wrong.
+  EarlierVerdicts(const CampaignOptions& options, const Installation& installation);
+
+  // Replaces the documents as soon as the inputs are known, none of which may be among them. Throws
+  // OutputError where one is, and std::filesystem::filesystem_error.
+  void begin();
+  // Replaces them where the start ends without a verdict. If it ends before begin(), its selection
+  // may be a mistake: the documents of the whole campaign go too.
+  void end_early(const std::string& why) const;
+  // Puts back those of a folder that this start has not written, "gate" or "report", unless they
+  // say better than its exit status.
+  void end(const char* folder, int status) const;
+
+ private:
+  struct Place {
+    std::filesystem::path directory;
+    std::map<std::filesystem::path, std::string> texts;
+  };
+  static Place read(const std::filesystem::path& directory);
+  void supersede(const Place& place, const char* folder, int status, const std::string& why) const;
+
+  std::string campaign_;
+  std::vector<Place> places_;  // the start's own, and for a selection that of the whole campaign
+  bool has_begun_ = false;
+};
+
+// Does what `start` does and returns the same. Ends the earlier verdicts early where it throws.
+int superseding(const CampaignOptions& options, const Installation& installation,
+                const std::function<int(EarlierVerdicts&)>& start);
+
+// Does the same for a command line that cannot be read, as far as it names a campaign's output.
+void supersede_for_mistake(const CLI::App& app, const Installation& installation,
+                           const std::string& mistake);
+
+}  // namespace slosh
