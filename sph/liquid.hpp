@@ -10,11 +10,11 @@
 #include "sph/integrators.hpp"
 #include "sph/neighbours/neighbour_sources.hpp"
 #include "sph/neighbours/particles.hpp"
+#include "sph/recording/wall_power.hpp"
 #include "sph/scene.hpp"
 #include "sph/scheme.hpp"
 #include "sph/scheme_terms.hpp"
 #include "sph/terms/gap_friction.hpp"
-#include "sph/walls/wall_power.hpp"
 
 namespace slosh::sph {
 

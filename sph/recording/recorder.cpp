@@ -4,8 +4,8 @@
 #include "sph/recording/near_particles.hpp"
 #include "sph/recording/probe.hpp"
 #include "sph/recording/wall_forces.hpp"
+#include "sph/recording/wall_power.hpp"
 #include "sph/recording/wall_pressure_gauge.hpp"
-#include "sph/walls/wall_power.hpp"
 
 namespace slosh::sph {
 namespace {

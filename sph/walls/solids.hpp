@@ -9,11 +9,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sph/neighbours/ghost_fill.hpp"
 #include "sph/neighbours/neighbour_sources.hpp"
 #include "sph/neighbours/pair_sums.hpp"
 #include "sph/setting.hpp"
 #include "sph/start/initial_surface.hpp"
-#include "sph/walls/ghost_fill.hpp"
 #include "sph/walls/node_sums.hpp"
 #include "sph/walls/solid_particles.hpp"
 

@@ -1,4 +1,4 @@
-#include "sph/walls/ghost_fill.hpp"
+#include "sph/neighbours/ghost_fill.hpp"
 
 #include <cmath>
 #include <cstdint>
