@@ -74,11 +74,6 @@ TimingDefinition timing_of(const CampaignDefinition& campaign, const CampaignOpt
   return timing;
 }
 
-// The suffix of the campaign's name in paths.
-std::string form_of(const CampaignOptions& options) {
-  return options.selection.quick ? "-quick" : "";
-}
-
 fs::path output_of(const CampaignOptions& options, const std::string& name,
                    const Installation& installation) {
   return fs::absolute(options.output.empty()
@@ -96,6 +91,10 @@ CampaignDefinition definition_of(const CampaignOptions& options, const Installat
 }
 
 }  // namespace
+
+std::string form_of(const CampaignOptions& options) {
+  return options.selection.quick ? "-quick" : "";
+}
 
 void require_runnable(const std::vector<CaseDefinition>& cases) {
   Complaints complaints;

@@ -26,6 +26,9 @@ RequestedCampaign requested(const CampaignOptions& options, const Installation& 
 // This takes seconds, as it sets up the start of every SPH run.
 void require_runnable(const std::vector<CaseDefinition>& cases);
 
+// Returns the suffix of the campaign's name in paths: "-quick" or none.
+std::string form_of(const CampaignOptions& options);
+
 // Returns the directory of the report and the gate's files (RequestedCampaign::place). It reads the
 // campaign's file where the options name no output. Throws CaseFileError.
 std::filesystem::path place_of(const CampaignOptions& options, const Installation& installation);
