@@ -1,11 +1,9 @@
 #!/bin/sh
-# Makes anew what the documents take from the product: the case-file reference and schemas, the tutorial's picture and
+# Makes anew what the documents take from the product: the schemas of case files, the tutorial's picture and
 # the gallery's figures. It takes about half an hour on two cores.
 # Usage: docs/refresh.sh
 set -eu
 cd "$(dirname -- "$0")/.."
-./slosh explain --keys >docs/case_file.md.new
-mv docs/case_file.md.new docs/case_file.md
 for kind in case campaign; do
   ./slosh explain --schema $kind >verification/case_file/from_keys/$kind.schema.json.new
   mv verification/case_file/from_keys/$kind.schema.json.new verification/case_file/from_keys/$kind.schema.json

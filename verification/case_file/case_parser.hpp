@@ -1,8 +1,8 @@
 // The parser of case files (TOML, verification/cases/*.toml). It is strict: it refuses an unknown
 // or missing key, a wrong type and an impossible value. Each message has file:line, the key, the
 // value, what was expected with its unit, and the nearest known key. key_table.hpp lists the keys,
-// docs/case_file.md documents them. The parser does not know the names of SPH schemes and variants:
-// these are checked when a run starts.
+// `slosh explain --keys` documents them. The parser does not know the names of SPH schemes and
+// variants: these are checked when a run starts.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // The table of the keys of case and campaign files. The parser accepts only these keys, and the
-// case-file reference (docs/case_file.md), the schemas (key_schema.hpp) and the comments of a new
-// case (commented_case.hpp) are generated from the table. The rules for the values are the
+// case-file reference (`slosh explain --keys`), the schemas (key_schema.hpp) and the comments of a
+// new case (commented_case.hpp) are generated from the table. The rules for the values are the
 // parser's; the table describes them in words. A [[sweep]] takes the keys of [[run]] beside its
 // own.
 #pragma once
@@ -37,7 +37,7 @@ std::vector<std::string> keys_of(const std::string& id);
 // Returns the keys of [[run]] whose value is a list by itself, of all solvers.
 std::vector<std::string> list_keys_of_runs();
 
-// Returns the reference of both kinds of file as Markdown: docs/case_file.md.
+// Returns the reference of both kinds of file as Markdown.
 std::string key_reference();
 
 }  // namespace slosh

@@ -115,12 +115,5 @@ TEST(KeyTable, NamesEachKeyOfATableOnceAndSaysWhatItHolds) {
 
 TEST(KeyTable, ThatDoesNotExistHasNoKeys) { EXPECT_THROW(keys_of("tankk"), std::logic_error); }
 
-TEST(KeyReference, IsTheOneThatIsShipped) {
-  std::ifstream file(SLOSH_SOURCE_DIR "/docs/case_file.md");
-  const std::string shipped{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_TRUE(shipped == key_reference())
-      << "docs/case_file.md is out of date: ./slosh explain --keys > docs/case_file.md";
-}
-
 }  // namespace
 }  // namespace slosh::key_table_test
