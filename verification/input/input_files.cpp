@@ -24,15 +24,24 @@ std::vector<InputFile> files_below(const fs::path& directory) {
   std::set<fs::path> entered{fs::canonical(directory)};
   using Walk = fs::recursive_directory_iterator;
   for (Walk at(directory, fs::directory_options::follow_directory_symlink), end; at != end; ++at) {
-    const bool is_new = !at->is_directory() || entered.insert(fs::canonical(at->path())).second;
+    std::error_code lost;  // as where links lead in a circle
+    const bool is_new = !at->is_directory(lost) || entered.insert(fs::canonical(at->path())).second;
     if (is_left_out(at->path()) || !is_new)
       at.disable_recursion_pending();
-    else if (at->is_regular_file())
+    else if (at->is_regular_file(lost))
       files.push_back({at->path().lexically_relative(directory).generic_string(), at->path()});
   }
   std::sort(files.begin(), files.end(),
             [](const InputFile& a, const InputFile& b) { return a.name < b.name; });
   return files;
+}
+
+// Those of a file or a directory; a pipe, a socket or a device has none.
+std::vector<InputFile> files_of(const fs::path& path) {
+  std::error_code lost;
+  if (fs::is_regular_file(path, lost)) return {{path.filename().string(), path}};
+  if (fs::is_directory(path, lost)) return files_below(path.lexically_normal());
+  return {};
 }
 
 std::vector<fs::path> matches(const fs::path& pattern) {
@@ -45,14 +54,14 @@ std::vector<fs::path> matches(const fs::path& pattern) {
   return paths;
 }
 
-// The directory below which the data of a case lie.
+// The directory below which the data of a case lie: never the whole file system.
 fs::path root_of(const fs::path& case_file) {
   const fs::path home = fs::weakly_canonical(fs::absolute(case_file)).parent_path();
   for (fs::path at = home;; at = at.parent_path())
     if (std::error_code none; fs::exists(at / ".git", none))
       return at;
     else if (at == at.parent_path())
-      return home.parent_path();
+      return home.parent_path() == at ? home : home.parent_path();
 }
 
 bool is_hidden(const fs::path& path) {
@@ -93,12 +102,10 @@ bool is_record_in(const fs::path& directory, const TomlTable& table, const char*
 }
 
 std::vector<InputFile> input_files(const fs::path& path) {
-  std::error_code lost;  // as where links lead in a circle
-  if (fs::is_regular_file(path, lost)) return {{path.filename().string(), path}};
-  if (fs::is_directory(path, lost)) return files_below(path.lexically_normal());
-  std::vector<InputFile> files;
-  for (const fs::path& match : matches(path))
-    if (fs::exists(match, lost)) std::ranges::move(input_files(match), std::back_inserter(files));
+  std::vector<InputFile> files = files_of(path);
+  if (std::error_code lost; files.empty() && !fs::exists(path, lost))
+    for (const fs::path& match : matches(path))
+      std::ranges::move(files_of(match), std::back_inserter(files));
   return files;
 }
 

@@ -136,6 +136,8 @@ void protect_inputs(const CaseDefinition& definition, const RunDefinition& run) 
     for (const InputFile& input : external_inputs(*external, definition))
       files.push_back(input.file);
     files.push_back(external_program(*external, definition));
+    for (const std::string& program : version_command(*external, definition, ""))
+      if (fs::is_regular_file(program)) files.push_back(program);
   }
   if (const auto* stored = std::get_if<StoredRun>(&run.solver)) files = stored_files(*stored);
   for (const fs::path& file : files) protect_input(file);

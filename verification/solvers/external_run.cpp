@@ -123,12 +123,13 @@ RunResult run_solver(const ExternalRun& external, const RunRequest& request) {
   fs::create_directories(directory);
   const std::vector<std::string> command =
       external_command(external, request.definition, directory);
+  // Before any program runs, which could leave a pipe or a link in its place.
+  if (asks_for_tank_file(external)) write_tank_file(request.definition, directory);
   // Before the run, so that a version that cannot be told costs no run.
   const CostMeter apart;
   const std::string version = program_version(external, request.definition, directory, version_log);
   RunResult result;
   result.cost = apart.cost();
-  if (asks_for_tank_file(external)) write_tank_file(request.definition, directory);
   const CostMeter meter;
   run_program({.command = command,
                .directory = external.directory.empty() ? directory : external.directory,

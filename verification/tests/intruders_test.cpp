@@ -90,6 +90,18 @@ TEST_F(Intruders, LeaveNothingThatIsReadInThePlaceOfAFile) {
   }
 }
 
+// The version command is a program of theirs too.
+TEST_F(Intruders, GetTheTankBeforeAnyOfTheirProgramsRuns) {
+  write("own.txt", "mine");
+  const std::string version =
+      "version_command = [\"sh\", \"-c\", 'ln -sf \"$0\"/own.txt tank.json; echo 1', "
+      "\"{case_directory}\"]\n";
+  write("small.toml", small_case + scripted_run(": {tank_file}; \"$@\"", version));
+  const Ended ended = quick({"run", "./small.toml", "mine"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(read("own.txt"), "mine");
+}
+
 // What it wrote of the files that it left may be a link within its own directory.
 TEST_F(Intruders, MayLinkWithinTheirDirectory) {
   write("small.toml",

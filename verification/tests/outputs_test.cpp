@@ -27,9 +27,9 @@ struct Output {
 };
 
 const Words of_case{"small.toml", "motion.csv"};
-const Words of_study{"small.toml", "motion.csv", "wave.csv", "solve"};
-const Words of_campaign{"small.toml",  "motion.csv",   "wave.csv",         "solve",
-                        "surges.toml", "ledger.jsonl", "ledger.jsonl.head"};
+const Words of_study{"small.toml", "motion.csv", "wave.csv", "solve", "version"};
+const Words of_campaign{"small.toml", "motion.csv",  "wave.csv",     "solve",
+                        "version",    "surges.toml", "ledger.jsonl", "ledger.jsonl.head"};
 
 const std::vector<Output>& outputs() {
   static const std::vector<Output> all{
@@ -98,7 +98,9 @@ class Outputs : public SmallCampaign {
       motion += std::to_string(0.01 * i) + "," + std::to_string(0.02 * std::sin(0.03 * i)) + "\n";
     write("motion.csv", motion);
     write("solve", "#!/bin/sh\ncp \"$1\" \"$2/wave.csv\"\n");
-    fs::permissions(directory() / "solve", fs::perms::owner_all);
+    write("version", "#!/bin/sh\necho 1\n");
+    for (const char* program : {"solve", "version"})
+      fs::permissions(directory() / program, fs::perms::owner_all);
     const std::string case_text =
         with(small_case, "type = \"sine\"\namplitude_m = 0.02\nangular_frequency_rad_s = 3.0\n",
              "type = \"table\"\nfile = \"motion.csv\"\n");
@@ -154,6 +156,7 @@ solver = "external"
 method = "copy"
 particle_spacing_m = 0.04
 command = ["./solve", "wave.csv", "{work_directory}"]
+version_command = ["./version"]
 directory = "."
 inputs = ["wave.csv"]
 [[run.series]]

@@ -118,6 +118,7 @@ TEST(ExternalRunSection, IsRefusedByTheLineWhereItGoesWrong) {
        "trial.toml:56: run.inputs = (an array): expected files, directories or patterns of them, "
        "relative to the case file; there is no file in "},
       {command + "inputs = [\"*.absent\"]\n" + series, "trial.toml:56: run.inputs = (an array)"},
+      {command + "inputs = [\"/dev/null\"]\n" + series, "trial.toml:56: run.inputs = (an array)"},
       {command + "directory = \"none\"\n" + series,
        "trial.toml:56: run.directory = \"none\": expected a directory relative to the case file"},
       {command + "timelimit_s = 1\n" + series, "trial.toml:56: run.timelimit_s = 1: expected only"},
