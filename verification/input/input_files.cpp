@@ -56,7 +56,9 @@ std::vector<fs::path> matches(const fs::path& pattern) {
 
 // The directory below which the data of a case lie: never the whole file system.
 fs::path root_of(const fs::path& case_file) {
-  const fs::path home = fs::weakly_canonical(fs::absolute(case_file)).parent_path();
+  std::error_code lost;  // of a file that has no name any more
+  const fs::path real = fs::weakly_canonical(fs::absolute(case_file), lost);
+  const fs::path home = (lost ? fs::absolute(case_file) : real).parent_path();
   for (fs::path at = home;; at = at.parent_path())
     if (std::error_code none; fs::exists(at / ".git", none))
       return at;

@@ -88,7 +88,11 @@ class SpacingStudies : public ::testing::Test {
  protected:
   CaseDefinition made(const CaseDefinition& definition, const SpacingStudy& study) const {
     const fs::path file = temporary_.path() / (definition.name + ".toml");
-    std::ofstream(file) << spacing_study_text(definition, study).text;
+    const StudyText made = spacing_study_text(definition, study);
+    std::ofstream(file) << made.text;
+    for (const fs::path& table : made.data)
+      fs::copy_file(table, temporary_.path() / table.filename(),
+                    fs::copy_options::overwrite_existing);
     return read_case(file);
   }
   std::string key(const CaseDefinition& definition, const std::string& run) const {
