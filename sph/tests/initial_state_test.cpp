@@ -11,6 +11,7 @@
 
 #include "sph/liquid.hpp"
 #include "sph/schemes.hpp"
+#include "sph/start/initial_lattice.hpp"
 #include "sph/start/projection.hpp"
 #include "sph/start/settled.hpp"
 #include "sph/tests/surging_scene.hpp"

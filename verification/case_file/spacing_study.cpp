@@ -83,18 +83,29 @@ void name_whole_command(toml::array& command, const std::filesystem::path& direc
     program = (directory / program.get()).lexically_normal().string();
 }
 
+// The place of a table beside the study. One whose name another has goes to a directory of its own.
+std::filesystem::path place_of(const std::filesystem::path& source,
+                               std::vector<StudyTable>& tables) {
+  std::filesystem::path place = source.filename();
+  for (const StudyTable& other : tables) {
+    if (other.source == source) return other.place;
+    if (other.place == place)
+      place = std::filesystem::path(std::to_string(tables.size())) / source.filename();
+  }
+  tables.push_back({source, place});
+  return place;
+}
+
 // The study's case file lies elsewhere: what is relative to the case's directory becomes absolute.
 void name_whole_paths(toml::table& table, const CaseDefinition& definition,
-                      std::vector<std::filesystem::path>& data) {
+                      std::vector<StudyTable>& tables) {
   const std::filesystem::path directory =
       absolute(definition.file).lexically_normal().parent_path();
   const auto whole = [&](const std::string& path) {
     return (directory / path).lexically_normal().string();
   };
-  if (const auto path = table["file"].value<std::string>()) {
-    data.push_back(whole(*path));
-    table.insert_or_assign("file", data.back().filename().string());
-  }
+  if (const auto path = table["file"].value<std::string>())
+    table.insert_or_assign("file", place_of(whole(*path), tables).string());
   if (const auto path = table["directory"].value<std::string>())
     table.insert_or_assign("directory", whole(*path));
   if (toml::array* inputs = table["inputs"].as_array())
@@ -116,14 +127,14 @@ StudyText spacing_study_text(const CaseDefinition& definition, const SpacingStud
   toml::table root = toml::parse(definition.text);
   const std::vector<TomlTable> declared = declared_runs(definition);
   toml::table reference = run_table(declared, "reference", study.reference, definition);
-  std::vector<std::filesystem::path> data;
-  name_whole_paths(reference, definition, data);
+  std::vector<StudyTable> tables;
+  name_whole_paths(reference, definition, tables);
   toml::array runs{std::move(reference)}, names;
   for (const double spacing : study.spacings) {
     toml::table run = pattern_run(declared, study, definition);
     run.insert_or_assign("name", study_run_name(study, spacing));
     run.insert_or_assign("particle_spacing_m", spacing);
-    name_whole_paths(run, definition, data);
+    name_whole_paths(run, definition, tables);
     names.push_back(study_run_name(study, spacing));
     runs.push_back(std::move(run));
   }
@@ -136,10 +147,10 @@ StudyText spacing_study_text(const CaseDefinition& definition, const SpacingStud
   root.erase("impacts");  // they are compared with an experiment, which a study does not do
   for (const char* part : {"surge", "roll"})
     if (toml::table* motion = root["motion"][part].as_table())
-      name_whole_paths(*motion, definition, data);
+      name_whole_paths(*motion, definition, tables);
   std::ostringstream text;
   text << root << "\n";
-  return {text.str(), std::move(data)};
+  return {text.str(), std::move(tables)};
 }
 
 }  // namespace slosh

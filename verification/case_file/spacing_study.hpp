@@ -21,9 +21,14 @@ struct SpacingStudy {
 // Returns the name of the study's run with this spacing [m]: "recommended_12p5mm".
 std::string study_run_name(const SpacingStudy& study, double spacing);
 
+// A table that the study names, to be copied to a place relative to the study's case file.
+struct StudyTable {
+  std::filesystem::path source, place;
+};
+
 struct StudyText {
   std::string text;
-  std::vector<std::filesystem::path> data;  // the tables that it names, to be copied beside it
+  std::vector<StudyTable> tables;  // no two have one place
 };
 
 // Returns the text of the study's case file: that of the case, with the reference, the study's runs

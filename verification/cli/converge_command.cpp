@@ -80,11 +80,11 @@ void require_own(const fs::path& file) {
 CaseDefinition made_case(const CaseDefinition& definition, const SpacingStudy& study,
                          const fs::path& file, const fs::path& experiments) {
   const StudyText text = spacing_study_text(definition, study);
-  for (const fs::path& table : text.data) {
-    const fs::path copy = file.parent_path() / table.filename();
-    if (std::error_code absent; fs::equivalent(table, copy, absent)) continue;
+  for (const auto& [source, place] : text.tables) {
+    const fs::path copy = file.parent_path() / place;
+    if (std::error_code absent; fs::equivalent(source, copy, absent)) continue;
     claim(copy);
-    replace_file(copy, read_input(table), Durability::process_crash);
+    replace_file(copy, read_input(source), Durability::process_crash);
   }
   replace_file(file, made_by + text.text, Durability::process_crash);
   CaseDefinition made = read_case(file, experiments);

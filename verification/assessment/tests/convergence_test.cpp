@@ -90,9 +90,10 @@ class SpacingStudies : public ::testing::Test {
     const fs::path file = temporary_.path() / (definition.name + ".toml");
     const StudyText made = spacing_study_text(definition, study);
     std::ofstream(file) << made.text;
-    for (const fs::path& table : made.data)
-      fs::copy_file(table, temporary_.path() / table.filename(),
-                    fs::copy_options::overwrite_existing);
+    for (const auto& [source, place] : made.tables) {
+      fs::create_directories((temporary_.path() / place).parent_path());
+      fs::copy_file(source, temporary_.path() / place, fs::copy_options::overwrite_existing);
+    }
     return read_case(file);
   }
   std::string key(const CaseDefinition& definition, const std::string& run) const {
