@@ -39,15 +39,14 @@ void require_possible(const CampaignOptions& options, const CampaignSettings& se
 
 fs::path page_in(const fs::path& place) { return place / "report/index.html"; }
 
-// `campaign` is as a command line names it.
+// `campaign` is as a command line names it, and `status` the exit status of the verdict.
 void leave_report(const AssessedCampaign& assessed, const CampaignOptions& options,
-                  const std::string& campaign) {
+                  const std::string& campaign, int status) {
   const std::string command =
       fmt::format("./slosh campaign {}{}{}", campaign, selection_options(options.selection),
                   experiments_option(whole(options.experiments)));
   reports::Report report = campaign_report(assessed.definition, options.selection.quick, command,
                                            assessed.cases, assessed.problems);
-  const int status = exit_status(assessed.cases, assessed.problems);
   if (const int asked = requested_exit(status, options); asked != status)
     report.results_json = with_exit_status(asked, report.results_json);
   KnownDrawings drawings(assessed.output / "drawings");
@@ -67,7 +66,8 @@ int judge_campaign(RequestedCampaign campaign, const CampaignOptions& options,
   std::cerr << complaints(assessed.cases, assessed.problems);
   print_lines(gate_lines(assessed.cases, assessed.problems));
   const int status = exit_status(assessed.cases, assessed.problems);
-  leave_report(assessed, options, name_or_path(assessed.definition.file, installation.campaigns));
+  leave_report(assessed, options, name_or_path(assessed.definition.file, installation.campaigns),
+               status);
   std::vector<std::string> lines{fmt::format("{}: {}{}", headline_word(status),
                                              verdict_sentence(assessed.cases, assessed.problems),
                                              coverage_sentence(assessed.cases)),

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 
@@ -28,17 +27,8 @@ reports::GateDocument superseded_gate(const std::string& campaign, int status,
                                       const std::string& why) {
   return {.title = campaign,
           .verdict = headline_word(exit_not_compared) + ": " + why,
-          .entries = {{.outcome = reports::GateOutcomeKind::not_compared,
-                       .group = campaign,
-                       .name = "the campaign",
-                       .message = why,
-                       .unit = "1",
-                       .value = std::nan(""),
-                       .uncertainty = std::nan(""),
-                       .lower = {},
-                       .upper = {},
-                       .moved = "",
-                       .file = ""}},
+          .entries = {bare_entry(campaign, "the campaign", reports::GateOutcomeKind::not_compared,
+                                 why)},
           .exit_status = status};
 }
 

@@ -106,22 +106,6 @@ reports::GateEntry entry_of(const ProblemAssessment& assessment, const ProblemGa
   return entry;
 }
 
-// An entry without a value.
-reports::GateEntry bare_entry(const std::string& group, const std::string& name,
-                              GateOutcomeKind outcome, const std::string& message) {
-  return {.outcome = outcome,
-          .group = group,
-          .name = name,
-          .message = message,
-          .unit = "1",
-          .value = std::nan(""),
-          .uncertainty = std::nan(""),
-          .lower = {},
-          .upper = {},
-          .moved = "",
-          .file = ""};
-}
-
 reports::GateEntry entry_of(const RowMovement& lost) {
   const std::size_t colon = std::min(lost.row.find(": "), lost.row.size());
   reports::GateEntry entry =
@@ -160,6 +144,21 @@ void add_bare_verdict(const std::string& campaign, const GateFindings& findings,
 }
 
 }  // namespace
+
+reports::GateEntry bare_entry(const std::string& group, const std::string& name,
+                              reports::GateOutcomeKind outcome, const std::string& message) {
+  return {.outcome = outcome,
+          .group = group,
+          .name = name,
+          .message = message,
+          .unit = "1",
+          .value = std::nan(""),
+          .uncertainty = std::nan(""),
+          .lower = {},
+          .upper = {},
+          .moved = "",
+          .file = ""};
+}
 
 reports::GateDocument gate_document(const AssessedCampaign& assessed, const GateFindings& findings,
                                     const fs::path& source) {

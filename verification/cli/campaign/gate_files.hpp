@@ -27,6 +27,10 @@ struct GateFindings {
 reports::GateDocument gate_document(const AssessedCampaign& assessed, const GateFindings& findings,
                                     const std::filesystem::path& source);
 
+// Returns an entry without a value, as of a run or of the campaign itself.
+reports::GateEntry bare_entry(const std::string& group, const std::string& name,
+                              reports::GateOutcomeKind outcome, const std::string& message);
+
 inline constexpr const char *junit_name = "junit.xml", *gate_page_name = "gate.md";
 
 // Writes <directory>/junit.xml and gate.md, each atomically. Throws

@@ -92,7 +92,8 @@ int selftest_campaign(const SelftestOptions& given, const Installation& installa
   }
   const bool holds = found.blind.empty() && (found.missed() == 0 || !is_whole);
   std::cout << fmt::format(
-      "{}: {} spoilings were tried, {} pass that no row may pass; the rows of {} of {} cases miss "
+      "{}: {} spoilings were tried, {} of NaN or a truncated series were let pass; the rows of {} "
+      "of {} cases miss "
       "what every case must detect\n",
       holds && found.tried > 0 ? "PASS" : "FAIL", found.tried, found.blind.size(), found.missed(),
       found.cases.size());
