@@ -5,68 +5,21 @@
 #include <cmath>
 #include <numbers>
 #include <ostream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "sph/simulation.hpp"
-#include "sph/start/initial_lattice.hpp"
+#include "sph/tests/named_schemes.hpp"
 #include "sph/tests/surging_scene.hpp"
 #include "sph/walls/obstacle_contact.hpp"
-#include "sph/walls/solid_particles.hpp"
 
 namespace slosh::sph::dam_and_obstacle_test {
 namespace {
 
 constexpr double dp = 0.025;
-const auto incompressible = [](double) { return 1000.0; };
-
-// A column of 0.2 m by 0.4 m in a tank of 1 m.
-Scene dam(double duration) {
-  Scene scene = still_scene(dp, duration);
-  scene.tank_height = 0.6;
-  scene.fill_depth = 0.4;
-  scene.column_width = 0.2;
-  return scene;
-}
-
-Scene with_obstacle(Scene scene, const Rectangle& obstacle) {
-  scene.obstacles.push_back(obstacle);
-  return scene;
-}
-
-TEST(InitialLattice, FillsTheColumnOfADamAlone) {
-  const Particles p = initial_lattice(dam(0), incompressible);
-  ASSERT_EQ(p.size(), 8 * 16);
-  EXPECT_NEAR(*std::max_element(p.x.begin(), p.x.end()), 0.2 - dp / 2, 1e-12);
-  EXPECT_NEAR(*std::max_element(p.z.begin(), p.z.end()), 0.4 - dp / 2, 1e-12);
-  double mass = 0;
-  for (const double m : p.mass) mass += m;
-  EXPECT_NEAR(mass, 1000 * 0.2 * 0.4, 1e-9);
-}
-
-TEST(InitialLattice, LeavesOutWhatObstaclesTake) {
-  const Rectangle obstacle{0.4, 0.6, 0, 0.2};
-  const Particles p = initial_lattice(with_obstacle(still_scene(dp, 0), obstacle), incompressible);
-  EXPECT_EQ(p.size(), 40 * 14 - 8 * 8);
-  for (std::size_t i = 0; i < p.size(); ++i) EXPECT_FALSE(holds(obstacle, p.x[i], p.z[i]));
-}
-
-TEST(InitialLattice, RefusesAColumnThatIsNoWholeNumberOfParticlesWide) {
-  Scene scene = dam(0);
-  scene.column_width = 0.062;
-  try {
-    initial_lattice(scene, incompressible);
-    FAIL() << "two and a half particles were let pass";
-  } catch (const std::invalid_argument& error) {
-    for (const char* part : {"particle_spacing = 0.025 m", "expected", "column's width of 0.062 m"})
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
-}
 
 TEST(Dam, CollapsesToTheRightUntilItsFrontReachesTheWall) {
-  const RunOutput output = run("recommended", dam(0.6), {});
+  const RunOutput output = run("recommended", dam_scene(dp, 0.6), {});
   const std::vector<double>& front = output.front_position.value;
   ASSERT_EQ(front.size(), 61);
   EXPECT_EQ(output.front_position.time, output.kinetic_energy.time);
@@ -83,46 +36,14 @@ TEST(Dam, CollapsesToTheRightUntilItsFrontReachesTheWall) {
 }
 
 TEST(Dam, TurnsPotentialIntoKineticEnergyAndNoMore) {
-  const RunOutput output = run("recommended", dam(0.3), {});
+  const RunOutput output = run("recommended", dam_scene(dp, 0.3), {});
   const double start = 0.5 * 1000 * 9.81 * 0.2 * 0.4 * 0.4;  // [J/m]
   for (std::size_t i = 0; i < output.kinetic_energy.value.size(); ++i)
     EXPECT_LE(output.kinetic_energy.value[i] + output.potential_energy.value[i], 0.01 * start);
   EXPECT_GT(output.kinetic_energy.value.back(), 0.3 * start);
 }
 
-TEST(Simulation, RecordsAFrontOfDamsAlone) {
-  EXPECT_TRUE(run("recommended", still_scene(dp, 0.02), {}).front_position.value.empty());
-}
-
-// A wall of mirror particles or of solids: without solids of any kind there is no obstacle.
-TEST(Simulation, RefusesObstaclesWhereTheSchemeTakesNone) {
-  const Scene scene = with_obstacle(still_scene(dp, 0.02), {0.4, 0.6, 0, 0.2});
-  try {
-    run("li2010", scene, {});
-    FAIL() << "an obstacle was let pass";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("obstacle: expected none"), std::string::npos);
-  }
-  EXPECT_NO_THROW(run("delta_sph", scene, {}));
-}
-
-TEST(Simulation, RefusesAnObstacleThatIsTooThin) {
-  EXPECT_THROW(run("recommended", with_obstacle(still_scene(dp, 0.02), {0.4, 0.42, 0, 0.2}), {}),
-               std::invalid_argument);
-}
-
-class TankWithObstacle : public testing::TestWithParam<const char*> {
- protected:
-  // The scheme's name, or a variant's of the recommended one.
-  static RunOutput run_of(Scene scene) {
-    const std::string name = GetParam();
-    const std::vector<std::string> schemes = scheme_names();
-    if (std::find(schemes.begin(), schemes.end(), name) != schemes.end())
-      return run(name, scene, {});
-    scene.variant = name;
-    return run("recommended", scene, {});
-  }
-};
+class TankWithObstacle : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Of, TankWithObstacle,
                          testing::Values("recommended", "ghost_walls", "no_slip_ghost_walls",
                                          "dynamic_walls", "delta_sph"),
@@ -133,8 +54,8 @@ TEST_P(TankWithObstacle, MirroredGivesTheMirroredFlow) {
   Scene back = with_obstacle(surging_scene(dp, 0.3, -0.02), {0.6, 0.8, 0, 0.2});
   // A projection is the mirrored one's image to its solver's tolerance alone.
   ahead.initial_state = back.initial_state = InitialState::lattice;
-  const auto right = run_of(ahead).elevation.at("right").value,
-             left = run_of(back).elevation.at("left").value;
+  const auto right = run_named(GetParam(), ahead).elevation.at("right").value,
+             left = run_named(GetParam(), back).elevation.at("left").value;
   ASSERT_EQ(right.size(), left.size());
   double largest = 0;
   for (std::size_t i = 0; i < right.size(); ++i) {
@@ -189,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
 // The plate is as thin as the lattice allows, and the liquid runs at it with several m/s.
 TEST(DamOntoThinWall, LetsNoParticleThrough) {
   for (const std::string variant : {"", "dynamic_walls"}) {
-    Scene scene = with_obstacle(dam(0.8), {0.5, 0.5 + dp, 0, 1});
+    Scene scene = with_obstacle(dam_scene(dp, 0.8), {0.5, 0.5 + dp, 0, 1});
     scene.variant = variant;
     scene.snapshot_interval = scene.sample_interval;
     int particles = 0;
@@ -233,7 +154,7 @@ TEST(PlateFromBottomToRoof, MakesTwoTanksOfOne) {
 TEST(DamOntoObstacle, LeavesNoParticleInTheObstacle) {
   const Rectangle obstacle{0.5, 0.6, 0, 0.1};
   for (const std::string variant : {"", "dynamic_walls"}) {
-    Scene scene = with_obstacle(dam(0.8), obstacle);
+    Scene scene = with_obstacle(dam_scene(dp, 0.8), obstacle);
     scene.variant = variant;
     scene.snapshot_interval = scene.sample_interval;
     int particles = 0;

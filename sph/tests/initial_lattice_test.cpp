@@ -8,11 +8,13 @@
 
 #include "sph/terms/equation_of_state.hpp"
 #include "sph/tests/surging_scene.hpp"
+#include "sph/walls/obstacle_contact.hpp"
 
 namespace slosh::sph::initial_lattice_test {
 namespace {
 
 const Tait state(1000, 18.8);
+const auto incompressible = [](double) { return 1000.0; };
 const auto water = [](double pressure) { return state.density(pressure); };
 
 double volume(const Particles& particles) {
@@ -150,6 +152,36 @@ TEST(InitialLattice, RefusesASurfaceSpacingThatIsNotFinerOrLeavesNoRoom) {
   for (double surface : {0.07, 0.04, 0.0, -0.01, std::nan("")}) {
     scene.surface_particle_spacing = surface;
     EXPECT_THROW(initial_lattice(scene, water), std::invalid_argument) << surface;
+  }
+}
+
+TEST(InitialLattice, FillsTheColumnOfADamAlone) {
+  const Particles p = initial_lattice(dam_scene(0.025, 0), incompressible);
+  ASSERT_EQ(p.size(), 8 * 16);
+  EXPECT_NEAR(*std::max_element(p.x.begin(), p.x.end()), 0.2 - 0.0125, 1e-12);
+  EXPECT_NEAR(*std::max_element(p.z.begin(), p.z.end()), 0.4 - 0.0125, 1e-12);
+  double mass = 0;
+  for (const double m : p.mass) mass += m;
+  EXPECT_NEAR(mass, 1000 * 0.2 * 0.4, 1e-9);
+}
+
+TEST(InitialLattice, LeavesOutWhatObstaclesTake) {
+  const Rectangle obstacle{0.4, 0.6, 0, 0.2};
+  const Particles p =
+      initial_lattice(with_obstacle(still_scene(0.025, 0), obstacle), incompressible);
+  EXPECT_EQ(p.size(), 40 * 14 - 8 * 8);
+  for (std::size_t i = 0; i < p.size(); ++i) EXPECT_FALSE(holds(obstacle, p.x[i], p.z[i]));
+}
+
+TEST(InitialLattice, RefusesAColumnThatIsNoWholeNumberOfParticlesWide) {
+  Scene scene = dam_scene(0.025, 0);
+  scene.column_width = 0.062;
+  try {
+    initial_lattice(scene, incompressible);
+    FAIL() << "two and a half particles were let pass";
+  } catch (const std::invalid_argument& error) {
+    for (const char* part : {"particle_spacing = 0.025 m", "expected", "column's width of 0.062 m"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
   }
 }
 

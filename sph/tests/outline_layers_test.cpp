@@ -7,6 +7,7 @@
 
 #include "sph/terms/kernels.hpp"
 #include "sph/tests/outlined_tanks.hpp"
+#include "sph/walls/solid_particles.hpp"
 
 namespace slosh::sph::outline_layers_test {
 namespace {

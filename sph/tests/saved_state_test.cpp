@@ -20,7 +20,7 @@ struct Named {
 
 // Surging; and rolling where the scheme's walls can.
 Scene scene_of(const Named& named, bool rolls) {
-  Scene scene = surging_and_rolling_scene(0.02, 0.05);
+  Scene scene = surging_and_rolling_scene(0.05, 0.05);
   if (!rolls) scene.roll.reset();
   scene.variant = named.variant;
   scene.sample_interval = 0.005;

@@ -47,4 +47,18 @@ inline Scene surging_scene(double particle_spacing, double duration, double ampl
   return scene;
 }
 
+// A column of 0.2 m by 0.4 m in a tank of 1 m.
+inline Scene dam_scene(double spacing, double duration) {
+  Scene scene = still_scene(spacing, duration);
+  scene.tank_height = 0.6;
+  scene.fill_depth = 0.4;
+  scene.column_width = 0.2;
+  return scene;
+}
+
+inline Scene with_obstacle(Scene scene, const Rectangle& obstacle) {
+  scene.obstacles.push_back(obstacle);
+  return scene;
+}
+
 }  // namespace slosh::sph
