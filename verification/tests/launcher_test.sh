@@ -52,6 +52,7 @@ END
 stand_in apt-get <<'END'
 #!/bin/sh
 echo "apt-get ${DEBIAN_FRONTEND-} $*" >>"$calls"
+case " $* " in *" --print-uris "*) echo "'http://a/g++.deb' g++.deb 41234567 SHA256:0"; exit ;; esac
 case " $* " in *" openfoam "*) exit 100 ;; esac
 case " $* " in *" install "*)
   for name; do grep -vxF -- "$name" "$lacking" >"$lacking.rest"; mv "$lacking.rest" "$lacking"; done ;;
@@ -61,9 +62,14 @@ stand_in id <<'END'
 #!/bin/sh
 cat "$uid"
 END
+# Asks for a password where nobody is logged in yet, and is given it by -v.
 stand_in sudo <<'END'
 #!/bin/sh
-exit 1
+echo "sudo $*" >>"$calls"
+if [ "$1" = -v ]; then touch "$work/password"; exit; fi
+[ -e "$work/password" ] || exit 1
+shift
+exec "$@"
 END
 # As the compiler of the fuzz targets, with its runtime where `fuzzer` holds 0.
 stand_in clang++ <<'END'
@@ -115,13 +121,37 @@ expect_in "$work/err" "this user cannot install them"
 expect_in "$work/err" "sudo apt-get update && sudo apt-get install -y --no-install-recommends g++ libfftw3-dev"
 expect_not_in "$work/err" openfoam
 expect_not_in "$calls" apt-get
+expect_not_in "$calls" "sudo -v"
 [ ! -e "$project/build/release" ] || fail "built without its packages"
+
+# With sudo at a terminal: asked once, with the size, and nothing is done without a yes.
+at_terminal() {  # ANSWER
+  : >"$calls"
+  echo "$1" | script -qec "'$project/slosh' campaign" /dev/null >"$work/out" 2>&1 || true
+}
+if command -v script >/dev/null; then
+  at_terminal n
+  expect_in "$work/out" "not installed: g++ libfftw3-dev openfoam (41 MB to download)"
+  expect_in "$work/out" "install them with sudo? [Y/n]"
+  expect_not_in "$calls" " install -y --no-install-recommends g++"
+  cp "$lacking" "$work/before"
+  at_terminal y
+  expect_in "$calls" "sudo -v"
+  expect_in "$calls" "apt-get noninteractive -q -o DPkg::Lock::Timeout=300 install -y --no-install-recommends g++ libfftw3-dev"
+  expect_in "$work/out" "building in $project/build/release"
+  [ "$(grep -c '\[Y/n\]' "$work/out")" = 1 ] || fail "asked more than once"
+  cp "$work/before" "$lacking"
+  rm -rf "$work/password" "$project/build"
+else
+  echo "SKIPPED: script is not installed: nothing is asked at a terminal"
+fi
 
 # Root: one update, the required packages together, and a solver that cannot be had is reported but stops nothing.
 echo 0 >"$uid"
 run 3 campaign "small amplitude" --quick
 [ "$(grep -c ' update' "$calls")" = 1 ] || fail "not one apt-get update"
 expect_in "$calls" "apt-get noninteractive -q -o DPkg::Lock::Timeout=300 install -y --no-install-recommends g++ libfftw3-dev"
+expect_in "$work/err" "installing g++ libfftw3-dev (41 MB to download; log: "
 expect_in "$work/err" "could not install openfoam, without it: the interFoam runs"
 printf '<campaign>\n<small amplitude>\n<--quick>\n' | cmp - "$work/out" || fail "the arguments changed"
 
