@@ -53,7 +53,7 @@ TEST(ShippedLedgers, HoldNoRowThatTheirCampaignHasLost) {
       const Baseline baseline = baseline_of(read_ledger(ledger));
       rows += baseline.size();
       for (const RowMovement& one : movements(baseline, {cases, problems}))
-        EXPECT_FALSE(one.lost) << ledger.filename() << ": " << one.row;
+        EXPECT_FALSE(one.lost()) << ledger.filename() << ": " << one.row;
     }
   }
   EXPECT_GT(rows, 500U);
