@@ -17,22 +17,26 @@
 namespace slosh {
 namespace {
 
+// Two errors against one reference, by intervals of their own, and what moves both alike.
+struct Improvement {
+  Estimate estimate, other;
+  double common;      // half width of what the reference and the inputs may be off
+  double as_good_at;  // how far off they make both as good
+
+  bool outweighs() const { return std::abs(as_good_at) > common; }  // false for NaN
+};
+
 // The estimate must be nearer to zero by more than both intervals together, or its interval must
-// hold zero and have a half width below the other's magnitude.
-bool improves(const Estimate& estimate, const Estimate& other) {
-  const double gain = std::abs(other.value) - std::abs(estimate.value);
-  const bool clearly = gain > std::hypot(estimate.half_width, other.half_width);
+// hold zero and have a half width below the other's magnitude; and by more than what moves both.
+Verdict verdict_on(const Improvement& of) {
+  const auto& [estimate, other, common, as_good_at] = of;
+  const double gain = std::abs(other.value) - std::abs(estimate.value),
+               intervals = std::hypot(estimate.half_width, other.half_width);
   const bool to_zero = std::abs(estimate.value) <= estimate.half_width &&
                        estimate.half_width < std::abs(other.value);
-  return gain > 0 && (clearly || to_zero);
-}
-
-// A comparison with NaN is false, so that NaN is never better.
-Verdict verdict_on_improvement(const Estimate& estimate, const Estimate& other) {
-  if (improves(estimate, other)) return Verdict::pass;
-  const double loss = std::abs(estimate.value) - std::abs(other.value);
-  return std::abs(loss) < std::hypot(estimate.half_width, other.half_width) ? Verdict::inconclusive
-                                                                            : Verdict::violated;
+  if (!std::isfinite(gain)) return Verdict::violated;
+  if (gain > 0 && (gain > intervals || to_zero) && of.outweighs()) return Verdict::pass;
+  return std::abs(gain) < intervals || !of.outweighs() ? Verdict::inconclusive : Verdict::violated;
 }
 
 UncertaintyContributions contributions_to(const GateRow& row, const GateEvidence& evidence) {
@@ -49,19 +53,47 @@ std::string with_missing(const std::string& text, const std::string& missing) {
   return missing.empty() ? text : text + "; not included: " + missing;
 }
 
+Estimate with_series(Estimate value, const UncertaintyContributions& contributions) {
+  return {value.value, std::hypot(value.half_width, contributions.time_series.known())};
+}
+
+// A reference that is off by d moves errors by d alike, so that errors of the mean -d are as good.
+// Two distances it may move by d apart.
+Improvement improvement_of(const GateRow& row, const Estimate& value, const Estimate& other,
+                           const GateEvidence& evidence) {
+  GateRow others_row = row;
+  others_row.candidate = row.improves_on.value();
+  const UncertaintyContributions own = contributions_to(row, evidence),
+                                 others = contributions_to(others_row, evidence);
+  const auto common = [](const UncertaintyContributions& of) {
+    return std::hypot(of.reference.known(), of.input.known());
+  };
+  const bool is_distance = metric_entry(row.metric).blind_to == BlindTo::side;
+  return {with_series(value, own), with_series(other, others),
+          std::isnan(common(others)) ? common(others) : std::max(common(own), common(others)),
+          (other.value + (is_distance ? -value.value : value.value)) / 2};
+}
+
 GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
                               const GateEvidence& evidence) {
-  const std::string& other = row.improves_on.value();
   GateRow others_row = row;
-  others_row.candidate = other;
-  const Estimate others = measured(others_row, evidence);
-  const Verdict verdict = verdict_on_improvement(value, others);
+  others_row.candidate = row.improves_on.value();
+  const Improvement found = improvement_of(row, value, measured(others_row, evidence), evidence);
+  const Verdict verdict = verdict_on(found);
   const std::string missing = missing_for_validation(contributions_to(row, evidence));
+  const std::string outweighed =
+      found.outweighs()
+          ? ""
+          : fmt::format(
+                "; the reference and the inputs may be off by {}, and both are as good at "
+                "{}",
+                in_unit(found.common, row.unit), in_unit(found.as_good_at, row.unit));
   return {row, verdict_of_kind(row, verdict, missing), value,
-          with_missing(fmt::format("|{}| {} |{}| of {}", with_interval(value, row.unit),
-                                   verdict == Verdict::pass ? "<" : "is not clearly <",
-                                   with_interval(others, row.unit), other),
-                       missing)};
+          with_missing(
+              fmt::format("|{}| {} |{}| of {}{}", with_interval(found.estimate, row.unit),
+                          verdict == Verdict::pass ? "<" : "is not clearly <",
+                          with_interval(found.other, row.unit), others_row.candidate, outweighed),
+              missing)};
 }
 
 Verdict verdict_of(ThreeWayVerdict verdict) {
