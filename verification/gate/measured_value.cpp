@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -287,10 +288,13 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
     if (series.time.size() < 2) continue;  // refused by its metric
     covered = std::min(covered, covered_share(series, {series.time.front(), series.time.back()}));
     if (!doubts.empty()) continue;
-    if (const auto gap = longest_gap(series, evidence.sample_interval))
+    const bool is_compared = find_quantity(row.quantity) != nullptr;
+    const double recorded =
+        is_compared ? evidence.sample_interval : std::numeric_limits<double>::infinity();
+    if (const auto gap = longest_gap(series, recorded))
       doubts.push_back(fmt::format("the candidate has no sample between {:.4g} and {:.4g} s",
                                    gap->begin, gap->end));
-    if (!find_quantity(row.quantity)) continue;
+    if (!is_compared) continue;
     SensorReadings readings{"candidate", series.unit, sensor_limits(series)};
     readings.limits.lowest.reset();
     std::ranges::move(flat_doubts(readings), std::back_inserter(doubts));

@@ -298,6 +298,33 @@ TEST(BaselineDiff, TellsOtherEvidenceOfARow) {
   EXPECT_FALSE(moved_in(before, now).at(0).has_changed());
 }
 
+// The coarse run of a refinement decides u_num, and an input's run u_input.
+TEST(BaselineDiff, TellsOtherSettingsOfARunThatTheRowRestsOn) {
+  std::vector<CaseAssessment> now = campaign(outcome(0.01, 0.003, 0.05));
+  CaseDefinition& definition = now[0].definition;
+  RunDefinition mine{}, coarse{}, input{}, idle{};
+  mine.name = "sph";
+  coarse.name = "coarse";
+  input.name = "at_bounds";
+  idle.name = "idle";
+  mine.solver = ExternalRun{.command = {"./solve", "1.01"}};
+  coarse.solver = input.solver = idle.solver = ExternalRun{.command = {"./solve", "1.06"}};
+  definition.runs = {mine, coarse, input, idle};
+  definition.refinements = {{"spacing", RefinedNumber::particle_spacing, {"sph", "coarse"}}};
+  definition.inputs = {{Input::amplitude, 0.001, "a ruler", "at_bounds"}};
+  const Baseline before{{amplitude_row, *moved_in({}, now).at(0).after}};
+  for (std::size_t i = 1; i < definition.runs.size(); ++i) {
+    std::vector<CaseAssessment> other = now;
+    std::get<ExternalRun>(other[0].definition.runs[i].solver).command[1] = "1.0101";
+    EXPECT_EQ(moved_in(before, other).at(0).has_changed(), i < 3) << i;
+  }
+  Baseline older = before;  // with the first hash alone
+  older.begin()->second.terms->setup.resize(32);
+  const RowMovement moved = moved_in(older, now).at(0);
+  EXPECT_FALSE(moved.has_changed());
+  EXPECT_EQ(proposed_changes({moved}).at(0).after->terms->setup.size(), 65U);
+}
+
 TEST(BaselineDiff, ATwelfthDigitIsNoChange) {
   EXPECT_FALSE(movement(outcome(0.01, 0.003, 0.05 * (1 + 1e-12))).has_changed());
   EXPECT_FALSE(movement(outcome(0.01, 0.003, 0.05 * (1 - 1e-12))).has_changed());

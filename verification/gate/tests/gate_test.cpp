@@ -801,7 +801,9 @@ TEST_F(GateOnOwnSeries, DoesNotPassWithAHoleAndSaysWhatTheSamplesCover) {
 // A wave that is thinned to every third sample and has none above half of its crests, six medians
 // long.
 TEST_F(GateOnOwnSeries, DoesNotPassWithAHoleAtEveryCrest) {
-  TimeSeries kept{"wall_gap", "1", {0}, {0}};
+  row.quantity = "elevation@right";
+  row.unit = "m";
+  TimeSeries kept{row.quantity, row.unit, {0}, {0}};
   for (int i = 3; i <= 1000; i += 3)
     if (const double value = 0.75 * std::sin(0.055 * i); std::abs(value) < 0.375 || i == 999) {
       kept.time.push_back(0.01 * i);
