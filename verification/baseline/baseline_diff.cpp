@@ -22,6 +22,8 @@
 namespace slosh {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 double uncertainties_between(const BaselineValue& before, const BaselineValue& after) {
@@ -80,8 +82,16 @@ bool is_loosened(const BaselineValue& before, const BaselineValue& after) {
          is_below(before.upper.value_or(unbounded), after.upper.value_or(unbounded));
 }
 
+// The same on every machine.
+fs::path from_directory_of(const fs::path& case_file, const fs::path& file) {
+  const fs::path here = fs::current_path();
+  return (here / file)
+      .lexically_normal()
+      .lexically_relative((here / case_file).lexically_normal().parent_path());
+}
+
 // What the settings of a run do not say of it (hashed_settings()).
-std::string evidence_of(const RunDefinition& run) {
+std::string evidence_of(const RunDefinition& run, const fs::path& case_file) {
   return std::visit(
       [&](const auto& solver) -> std::string {
         using Run = std::decay_t<decltype(solver)>;
@@ -92,7 +102,8 @@ std::string evidence_of(const RunDefinition& run) {
                       : "");
         else if constexpr (std::is_same_v<Run, ExternalRun>) {
           std::string inputs;
-          for (const auto& one : solver.inputs) inputs += " " + one.generic_string();
+          for (const fs::path& one : solver.inputs)
+            inputs += " " + from_directory_of(case_file, one).generic_string();
           return inputs.empty() ? "" : fmt::format("; inputs of {}:{}", run.name, inputs);
         } else if constexpr (requires { solver.valid_elevation_over_depth; })
           return fmt::format("; {} up to {:.6g} depths", run.name,
@@ -119,7 +130,7 @@ std::string evidence_of(const CaseDefinition& definition, const GateRow& row) {
     if (holds_any(one, names))
       text += fmt::format("; refinement {}: {}", one.name, fmt::join(one.runs, ", "));
   for (const RunDefinition& run : definition.runs)
-    if (names.contains(run.name)) text += evidence_of(run);
+    if (names.contains(run.name)) text += evidence_of(run, definition.file);
   return text;
 }
 
@@ -147,7 +158,8 @@ std::string hash_of_the_rest(const CaseDefinition& definition, const GateRow& ro
                          .as_toml();
   const std::set<std::string> others = other_runs_of(definition, row);
   for (const RunDefinition& run : definition.runs)
-    if (others.contains(run.name)) rest += hashed_settings(run).dump() + evidence_of(run);
+    if (others.contains(run.name))
+      rest += hashed_settings(run).dump() + evidence_of(run, definition.file);
   for (const RefinementDefinition& one : definition.refinements)
     if (holds_any(one, runs_of(row))) rest += fmt::format("{}", static_cast<int>(one.number));
   if (is_of_repeats(row.metric) && definition.impacts)

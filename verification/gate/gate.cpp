@@ -53,47 +53,46 @@ std::string with_missing(const std::string& text, const std::string& missing) {
   return missing.empty() ? text : text + "; not included: " + missing;
 }
 
-Estimate with_series(Estimate value, const UncertaintyContributions& contributions) {
-  return {value.value, std::hypot(value.half_width, contributions.time_series.known())};
+// What the reference and the inputs may be off: the larger of both runs' or NaN.
+double common_to(const UncertaintyContributions& one, const UncertaintyContributions& other) {
+  const double a = std::hypot(one.reference.known(), one.input.known()),
+               b = std::hypot(other.reference.known(), other.input.known());
+  return std::isnan(b) ? b : std::max(a, b);
 }
 
 // A reference that is off by d moves errors by d alike, so that errors of the mean -d are as good.
 // Two distances it may move by d apart.
-Improvement improvement_of(const GateRow& row, const Estimate& value, const Estimate& other,
-                           const GateEvidence& evidence) {
-  GateRow others_row = row;
-  others_row.candidate = row.improves_on.value();
-  const UncertaintyContributions own = contributions_to(row, evidence),
-                                 others = contributions_to(others_row, evidence);
-  const auto common = [](const UncertaintyContributions& of) {
-    return std::hypot(of.reference.known(), of.input.known());
-  };
-  const bool is_distance = metric_entry(row.metric).blind_to == BlindTo::side;
-  return {with_series(value, own), with_series(other, others),
-          std::isnan(common(others)) ? common(others) : std::max(common(own), common(others)),
-          (other.value + (is_distance ? -value.value : value.value)) / 2};
+double as_good_at(Metric metric, double one, double other) {
+  return (other + (metric_entry(metric).blind_to == BlindTo::side ? -one : one)) / 2;
+}
+
+std::string outweighed_text(const Improvement& found, const std::string& unit) {
+  if (found.outweighs()) return "";
+  const std::string off =
+      std::isfinite(found.common) ? in_unit(found.common, unit) : "an unknown amount";
+  return fmt::format("; the reference and the inputs may be off by {}, and both are as good at {}",
+                     off, in_unit(found.as_good_at, unit));
 }
 
 GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
                               const GateEvidence& evidence) {
   GateRow others_row = row;
   others_row.candidate = row.improves_on.value();
-  const Improvement found = improvement_of(row, value, measured(others_row, evidence), evidence);
+  const Estimate other = measured(others_row, evidence);
+  const UncertaintyContributions own = contributions_to(row, evidence),
+                                 others = contributions_to(others_row, evidence);
+  const Improvement found{{value.value, std::hypot(value.half_width, own.time_series.known())},
+                          {other.value, std::hypot(other.half_width, others.time_series.known())},
+                          common_to(own, others),
+                          as_good_at(row.metric, value.value, other.value)};
   const Verdict verdict = verdict_on(found);
-  const std::string missing = missing_for_validation(contributions_to(row, evidence));
-  const std::string outweighed =
-      found.outweighs()
-          ? ""
-          : fmt::format(
-                "; the reference and the inputs may be off by {}, and both are as good at "
-                "{}",
-                in_unit(found.common, row.unit), in_unit(found.as_good_at, row.unit));
+  const std::string missing = missing_for_validation(own);
   return {row, verdict_of_kind(row, verdict, missing), value,
-          with_missing(
-              fmt::format("|{}| {} |{}| of {}{}", with_interval(found.estimate, row.unit),
-                          verdict == Verdict::pass ? "<" : "is not clearly <",
-                          with_interval(found.other, row.unit), others_row.candidate, outweighed),
-              missing)};
+          with_missing(fmt::format("|{}| {} |{}| of {}", with_interval(found.estimate, row.unit),
+                                   verdict == Verdict::pass ? "<" : "is not clearly <",
+                                   with_interval(found.other, row.unit), others_row.candidate) +
+                           outweighed_text(found, row.unit),
+                       missing)};
 }
 
 Verdict verdict_of(ThreeWayVerdict verdict) {
