@@ -29,7 +29,7 @@ std::optional<BaselineValue> optional_value_from(const Json& value) {
 }  // namespace
 
 Json json_of(const BaselineValue& value) {
-  Json entry{{"value", value.value},
+  Json entry{{"value", json_of(value.value)},
              {"half_width_95", value.half_width},
              {"lower", json_of(value.lower)},
              {"upper", json_of(value.upper)}};
@@ -43,7 +43,7 @@ Json json_of(const BaselineValue& value) {
 }
 
 BaselineValue value_from(const Json& value) {
-  BaselineValue read{value.at("value").get<double>(), value.at("half_width_95").get<double>(),
+  BaselineValue read{number_from(value.at("value")), value.at("half_width_95").get<double>(),
                      number_from(value.at("lower")), number_from(value.at("upper"))};
   if (value.contains("terms")) {
     const Json& terms = value.at("terms");

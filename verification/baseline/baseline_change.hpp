@@ -21,7 +21,9 @@ struct RowTerms {
   std::string kind;    // "validation" or "regression"
   std::string window;  // "1 .. 8 s"; empty of a problem's row, as the two below
   std::string inputs;  // "amplitude +- 0.001 m, period +- 0.01 s": those declared uncertain
-  std::string setup;   // hash of the case's physics and of the settings of the row's runs
+  // Two hashes: of the case's physics and the settings of the row's runs; of all else that the case
+  // declares of the row's verdict. Older ledgers hold the first alone.
+  std::string setup;
   // What else the verdict rests on: "2 natural modes; refinement spacing: a, b; ...". Empty of a
   // problem's row, and where it is not recorded.
   std::string evidence = {};
@@ -31,7 +33,8 @@ struct RowTerms {
 
 // A gate row's metric and its tolerance, in the row's unit.
 struct BaselineValue {
-  double value, half_width;            // half_width: of the 95 % interval, zero if unknown
+  std::optional<double> value;         // nullopt where it was not measured, and of a cost
+  double half_width;                   // of the 95 % interval, zero if unknown
   std::optional<double> lower, upper;  // nullopt for a row that must improve on another run
   std::optional<RowTerms> terms = {};  // nullopt: not recorded
 

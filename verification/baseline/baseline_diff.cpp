@@ -8,20 +8,27 @@
 #include <boost/algorithm/string/split.hpp>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/changed_input.hpp"
+#include "verification/case/solver_kinds.hpp"
+#include "verification/files/content_hash.hpp"
+#include "verification/input/toml_reader.hpp"
 #include "verification/runs/run_key.hpp"
 
 namespace slosh {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 double uncertainties_between(const BaselineValue& before, const BaselineValue& after) {
-  const double moved = std::abs(after.value - before.value);
+  if (!before.value || !after.value) return 0;
+  const double moved = std::abs(*after.value - *before.value);
   return moved == 0 ? 0 : moved / std::hypot(before.half_width, after.half_width);
 }
 
@@ -30,14 +37,15 @@ double uncertainties_between(const BaselineValue& before, const BaselineValue& a
 constexpr double rounding = 1e-6;
 
 double scale_of(const BaselineValue& one) {
-  double scale = std::abs(one.value);
+  double scale = std::abs(one.value.value_or(0));
   for (const std::optional<double>& bound : {one.lower, one.upper})
     if (bound && std::isfinite(*bound)) scale = std::max(scale, std::abs(*bound));
   return scale;
 }
 
 bool has_moved(const BaselineValue& before, const BaselineValue& after) {
-  return std::abs(after.value - before.value) >
+  return before.value && after.value &&
+         std::abs(*after.value - *before.value) >
              rounding * std::max(scale_of(before), scale_of(after)) &&
          uncertainties_between(before, after) > 1;
 }
@@ -74,18 +82,28 @@ bool is_loosened(const BaselineValue& before, const BaselineValue& after) {
          is_below(before.upper.value_or(unbounded), after.upper.value_or(unbounded));
 }
 
+// The same on every machine.
+fs::path from_directory_of(const fs::path& case_file, const fs::path& file) {
+  const fs::path here = fs::current_path();
+  return (here / file)
+      .lexically_normal()
+      .lexically_relative((here / case_file).lexically_normal().parent_path());
+}
+
 // What the settings of a run do not say of it (hashed_settings()).
-std::string evidence_of(const RunDefinition& run) {
+std::string evidence_of(const RunDefinition& run, const fs::path& case_file) {
   return std::visit(
       [&](const auto& solver) -> std::string {
         using Run = std::decay_t<decltype(solver)>;
         if constexpr (std::is_same_v<Run, RecordRun>)
-          return solver.uncertainty
-                     ? fmt::format("; {} +- {:.6g} {}", run.name, *solver.uncertainty, solver.unit)
-                     : "";
+          return fmt::format("; {}, the record {}", run.name, solver.file.filename().string()) +
+                 (solver.uncertainty
+                      ? fmt::format(" +- {:.6g} {}", *solver.uncertainty, solver.unit)
+                      : "");
         else if constexpr (std::is_same_v<Run, ExternalRun>) {
           std::string inputs;
-          for (const auto& one : solver.inputs) inputs += " " + one.generic_string();
+          for (const fs::path& one : solver.inputs)
+            inputs += " " + from_directory_of(case_file, one).generic_string();
           return inputs.empty() ? "" : fmt::format("; inputs of {}:{}", run.name, inputs);
         } else if constexpr (requires { solver.valid_elevation_over_depth; })
           return fmt::format("; {} up to {:.6g} depths", run.name,
@@ -96,16 +114,57 @@ std::string evidence_of(const RunDefinition& run) {
       run.solver);
 }
 
+std::set<std::string> runs_of(const GateRow& row) {
+  return {row.candidate, row.reference, row.improves_on.value_or("")};
+}
+
+bool holds_any(const RefinementDefinition& path, const std::set<std::string>& names) {
+  return std::any_of(path.runs.begin(), path.runs.end(),
+                     [&](const std::string& run) { return names.contains(run); });
+}
+
 std::string evidence_of(const CaseDefinition& definition, const GateRow& row) {
   std::string text = fmt::format("{} natural modes", definition.natural_modes);
-  const std::set<std::string> names{row.candidate, row.reference, row.improves_on.value_or("")};
+  const std::set<std::string> names = runs_of(row);
   for (const RefinementDefinition& one : definition.refinements)
-    if (std::any_of(one.runs.begin(), one.runs.end(),
-                    [&](const std::string& run) { return names.contains(run); }))
+    if (holds_any(one, names))
       text += fmt::format("; refinement {}: {}", one.name, fmt::join(one.runs, ", "));
   for (const RunDefinition& run : definition.runs)
-    if (names.contains(run.name)) text += evidence_of(run);
+    if (names.contains(run.name)) text += evidence_of(run, definition.file);
   return text;
+}
+
+// The runs that the verdict rests on beside the row's own: of its refinements, of inputs, and for a
+// cost those of the candidate's family.
+std::set<std::string> other_runs_of(const CaseDefinition& definition, const GateRow& row) {
+  std::set<std::string> others;
+  for (const RefinementDefinition& one : definition.refinements)
+    if (holds_any(one, runs_of(row))) others.insert(one.runs.begin(), one.runs.end());
+  for (const InputUncertainty& one : definition.inputs) others.insert(one.coarse_run);
+  std::set<std::string> families;
+  for (const RunDefinition& run : definition.runs)
+    if (is_cost(row.metric) && run.name == row.candidate) families.insert(work_family(run));
+  for (const RunDefinition& run : definition.runs)
+    if (families.contains(work_family(run))) others.insert(run.name);
+  return others;
+}
+
+// All that the case file says but for names, words, rows and runs, so that no key is forgotten; the
+// settings of the other runs; and the table of repeats, of which the file says its name alone.
+std::string hash_of_the_rest(const CaseDefinition& definition, const GateRow& row) {
+  std::string rest = TomlTable(definition.text, definition.file)
+                         .without({"schema_version", "name", "title", "source", "tags", "animation",
+                                   "run", "refinement", "gate"})
+                         .as_toml();
+  const std::set<std::string> others = other_runs_of(definition, row);
+  for (const RunDefinition& run : definition.runs)
+    if (others.contains(run.name))
+      rest += hashed_settings(run).dump() + evidence_of(run, definition.file);
+  for (const RefinementDefinition& one : definition.refinements)
+    if (holds_any(one, runs_of(row))) rest += fmt::format("{}", static_cast<int>(one.number));
+  if (is_of_repeats(row.metric) && definition.impacts)
+    rest += fmt::format("{}", definition.impacts->repeats);
+  return content_hash(rest);
 }
 
 RowTerms terms_of(const CaseDefinition& definition, const GateRow& row) {
@@ -117,16 +176,32 @@ RowTerms terms_of(const CaseDefinition& definition, const GateRow& row) {
                           one.half_width, input_unit(one.input, definition.motion),
                           one.coarse_run.empty() ? "" : " by " + one.coarse_run);
   return {kind_name(row.kind), fmt::format("{:.6g} .. {:.6g} s", begin, end), inputs,
-          setup_hash(definition, {row.candidate, row.reference, row.improves_on.value_or("")}),
+          setup_hash(definition, runs_of(row)) + "-" + hash_of_the_rest(definition, row),
           evidence_of(definition, row)};
+}
+
+// A row with a limit, a range or neither. A cost is measured on one machine and says nothing about
+// another.
+BaselineValue baseline_value(const GateOutcome& outcome) {
+  BaselineValue value{{}, 0, {}, {}};
+  const auto& [measured, half_width] = outcome.value;
+  if (std::isfinite(measured) && !is_cost(outcome.row.metric)) {
+    value.value = measured;
+    value.half_width = std::isfinite(half_width) ? half_width : 0;
+  }
+  if (outcome.row.limit || outcome.row.between) {
+    const std::optional<double>& limit = outcome.row.limit;
+    std::tie(value.lower, value.upper) =
+        limit ? std::pair(-*limit, *limit) : outcome.row.between.value();
+  }
+  return value;
 }
 
 // An error of a problem is exact but for its round-off, which may be all of it: a thousandth of the
 // bound stands for that.
-std::optional<BaselineValue> baseline_value(const ProblemGateOutcome& outcome) {
-  if (!std::isfinite(outcome.value)) return {};
-  BaselineValue value{
-      outcome.value, 0, {}, {}, RowTerms{kind_name(outcome.row.kind), "", "", "", ""}};
+BaselineValue baseline_value(const ProblemGateOutcome& outcome) {
+  BaselineValue value{{}, 0, {}, {}, RowTerms{kind_name(outcome.row.kind), "", "", "", ""}};
+  if (std::isfinite(outcome.value)) value.value = outcome.value;
   const bool at_least = outcome.row.metric == ProblemMetric::order_at_least;
   (at_least ? value.lower : value.upper) = outcome.row.limit;
   if (const auto& between = outcome.row.between) std::tie(value.lower, value.upper) = *between;
@@ -138,19 +213,16 @@ std::optional<BaselineValue> baseline_value(const ProblemGateOutcome& outcome) {
 struct PresentRow {
   std::string name, unit;
   Verdict verdict;
-  std::optional<BaselineValue> value;
+  BaselineValue value;
 };
 
-// A cost is measured on one machine and says nothing about another.
 std::vector<PresentRow> present_rows(const JudgedCampaign& campaign) {
   std::vector<PresentRow> rows;
   for (const CaseAssessment& one : campaign.cases)
     for (const GateOutcome& outcome : one.gate) {
-      if (is_cost(outcome.row.metric)) continue;
-      PresentRow row{row_name(one.definition.name, outcome.row), outcome.row.unit, outcome.verdict,
-                     baseline_value(outcome)};
-      if (row.value) row.value->terms = terms_of(one.definition, outcome.row);
-      rows.push_back(std::move(row));
+      rows.push_back({row_name(one.definition.name, outcome.row), outcome.row.unit, outcome.verdict,
+                      baseline_value(outcome)});
+      rows.back().value.terms = terms_of(one.definition, outcome.row);
     }
   for (const ProblemAssessment& one : campaign.problems)
     for (const ProblemGateOutcome& outcome : one.gate)
@@ -162,14 +234,16 @@ std::vector<PresentRow> present_rows(const JudgedCampaign& campaign) {
 
 RowMovement movement_of(const PresentRow& row, const std::optional<BaselineValue>& before) {
   RowMovement movement{.row = row.name, .unit = row.unit, .before = before, .after = row.value};
-  if (before && movement.after) {
-    movement.uncertainties = uncertainties_between(*before, *movement.after);
-    movement.loosened = is_loosened(*before, *movement.after);
+  movement.verdict = row.verdict;
+  if (before) {
+    movement.uncertainties = uncertainties_between(*before, row.value);
+    movement.loosened = is_loosened(*before, row.value);
   }
   return movement;
 }
 
-std::string terms_text(const RowTerms& before, const RowTerms& after) {
+// A record that is not supplied has no content, so that its setup says nothing.
+std::string terms_text(const RowTerms& before, const RowTerms& after, bool lacks_record) {
   std::string text;
   const auto add = [&](const char* name, std::string RowTerms::*term) {
     if (before.*term == after.*term) return;
@@ -180,14 +254,15 @@ std::string terms_text(const RowTerms& before, const RowTerms& after) {
   add("window", &RowTerms::window);
   add("inputs", &RowTerms::inputs);
   if (!before.evidence.empty()) add("rests on", &RowTerms::evidence);
-  if (before.setup != after.setup)
+  if (!lacks_record && !after.setup.starts_with(before.setup))
     text += ", the case or the settings of the row's runs are others";
   return text;
 }
 
 bool has_other_terms(const RowMovement& movement) {
   if (!movement.before->terms || !movement.after->terms) return false;
-  return !terms_text(*movement.before->terms, *movement.after->terms).empty();
+  return !terms_text(*movement.before->terms, *movement.after->terms, movement.lacks_record())
+              .empty();
 }
 
 // The case, the runs and the metric that a row's name tells.
@@ -212,10 +287,9 @@ bool differ_in_one_name(const std::string& one, const std::string& other) {
 
 void name_renamed_rows(std::vector<RowMovement>& movements) {
   for (RowMovement& lost : movements) {
-    if (!lost.lost) continue;
+    if (!lost.lost()) continue;
     const auto found = std::find_if(movements.begin(), movements.end(), [&](const auto& one) {
-      return !one.before && one.after && one.other_name.empty() &&
-             differ_in_one_name(one.row, lost.row);
+      return !one.before && one.other_name.empty() && differ_in_one_name(one.row, lost.row);
     });
     if (found == movements.end()) continue;
     lost.other_name = found->row;
@@ -237,16 +311,17 @@ std::string tolerance_text(const RowMovement& movement) {
 }  // namespace
 
 bool RowMovement::has_changed() const {
-  if (lost) return true;
-  if (!before || !after) return before.has_value() != after.has_value();
-  return loosened || is_loosened(*after, *before) || has_moved(*before, *after) ||
-         has_other_terms(*this);
+  if (!before || !after) return true;
+  const bool has_value_alike = before->value.has_value() == after->value.has_value();
+  return (!lacks_record() && !has_value_alike) || loosened || is_loosened(*after, *before) ||
+         has_moved(*before, *after) || has_other_terms(*this);
 }
 
 bool RowMovement::loses_validation() const {
   const std::string regression = kind_name(RowKind::regression);
   if (!before || (before->terms && before->terms->kind == regression)) return false;
-  return lost || (before->terms && after && after->terms->kind == regression);
+  const bool rests_on_nothing = lacks_record() && before->value && has_other_terms(*this);
+  return lost() || rests_on_nothing || (before->terms && after->terms->kind == regression);
 }
 
 std::string row_name(const std::string& case_name, const GateRow& row) {
@@ -257,35 +332,20 @@ std::string row_name(const std::string& problem, const ProblemGateRow& row) {
   return problem + ": " + metric_name(row.metric) + " of " + row.measure;
 }
 
-std::optional<BaselineValue> baseline_value(const GateOutcome& outcome) {
-  if (!std::isfinite(outcome.value.value)) return {};
-  const double half_width = outcome.value.half_width;
-  BaselineValue value{outcome.value.value, std::isfinite(half_width) ? half_width : 0, {}, {}};
-  if (const auto& limit = outcome.row.limit) {
-    value.lower = -*limit;
-    value.upper = *limit;
-  }
-  if (const auto& between = outcome.row.between) {
-    value.lower = between->first;
-    value.upper = between->second;
-  }
-  return value;
-}
-
 std::vector<RowMovement> movements(const Baseline& baseline, const JudgedCampaign& campaign) {
   std::vector<RowMovement> found;
   std::set<std::string> kept;
   for (const PresentRow& row : present_rows(campaign)) {
     const bool left_out = row.verdict == Verdict::not_selected;
     if (!left_out || campaign.is_partial) kept.insert(row.name);
-    if (left_out || row.verdict == Verdict::not_supplied) continue;
+    if (left_out) continue;
     const auto known = baseline.find(row.name);
     found.push_back(
         movement_of(row, known == baseline.end() ? std::optional<BaselineValue>() : known->second));
   }
   for (const auto& [row, value] : baseline)
     if (!kept.contains(row))
-      found.push_back({.row = row, .unit = "", .before = value, .after = {}, .lost = true});
+      found.push_back({.row = row, .unit = "", .before = value, .after = {}});
   name_renamed_rows(found);
   return found;
 }
@@ -293,10 +353,13 @@ std::vector<RowMovement> movements(const Baseline& baseline, const JudgedCampaig
 std::vector<BaselineChange> proposed_changes(const std::vector<RowMovement>& movements) {
   std::vector<BaselineChange> changes;
   for (const RowMovement& one : movements) {
-    if (!one.after && !one.lost) continue;
+    const bool has_failed =
+        one.after && !one.after->value && !one.lacks_record() &&
+        ((one.before && one.before->value) || one.verdict == Verdict::solver_failed);
+    if (has_failed) continue;
     if (one.has_changed())
       changes.push_back({one.row, one.before, one.after});
-    else if (!one.before->terms) {
+    else if (!one.lacks_record() && one.before->terms != one.after->terms) {
       changes.push_back({one.row, one.before, one.before});
       changes.back().after->terms = one.after->terms;
     }
@@ -305,38 +368,44 @@ std::vector<BaselineChange> proposed_changes(const std::vector<RowMovement>& mov
 }
 
 std::string movement_text(const RowMovement& movement) {
-  const auto& [row, unit, before, after, uncertainties, loosened, lost, other_name] = movement;
-  if (lost)
+  const auto& [row, unit, before, after, uncertainties, loosened, verdict, other_name] = movement;
+  if (!after)
     return std::string("no row of this form any more") +
            (other_name.empty() ? "" : "; it may be " + other_name + " now");
-  if (!before && !after) return "no value";
-  if (!after) return "no value any more";
+  const std::string value = after->value              ? signed_in_unit(*after->value, unit)
+                            : movement.lacks_record() ? "not supplied"
+                                                      : "no value";
   if (!before)
-    return "new: " + signed_in_unit(after->value, unit) +
-           (other_name.empty() ? "" : "; it may have been " + other_name);
-  return (before->value == after->value ? "unmoved"
-          : std::isinf(uncertainties)
-              ? change_text(before->value, after->value, unit) + " (no interval)"
-              : fmt::format("{} ({:.2g} uncertainties)",
-                            change_text(before->value, after->value, unit), uncertainties)) +
-         tolerance_text(movement) +
-         (before->terms ? terms_text(*before->terms, *after->terms) : "");
+    return "new: " + value + (other_name.empty() ? "" : "; it may have been " + other_name);
+  std::string text = value;
+  if (before->value && after->value)
+    text = *before->value == *after->value ? "unmoved"
+           : std::isinf(uncertainties)
+               ? change_text(*before->value, *after->value, unit) + " (no interval)"
+               : fmt::format("{} ({:.2g} uncertainties)",
+                             change_text(*before->value, *after->value, unit), uncertainties);
+  else if (before->value && !movement.lacks_record())
+    text = "no value any more";
+  else if (after->value)
+    text = "first value: " + value;
+  return text + tolerance_text(movement) +
+         (before->terms ? terms_text(*before->terms, *after->terms, movement.lacks_record()) : "");
 }
 
 std::string changes_sentence(const std::vector<RowMovement>& movements) {
   int lost = 0, lost_of_validation = 0, added = 0, changed = 0, demoted = 0;
   for (const RowMovement& one : movements) {
-    lost += one.lost;
-    (one.lost ? lost_of_validation : demoted) += one.loses_validation();
-    added += !one.before && one.after;
-    changed += one.before && !one.lost && one.has_changed();
+    lost += one.lost();
+    (one.lost() ? lost_of_validation : demoted) += one.loses_validation();
+    added += !one.before;
+    changed += one.before && !one.lost() && one.has_changed();
   }
   std::vector<std::string> parts;
   if (lost > 0)
     parts.push_back(fmt::format("{} lost ({} of validation)", lost, lost_of_validation));
   if (added > 0) parts.push_back(fmt::format("{} new", added));
   if (changed > 0) parts.push_back(fmt::format("{} changed", changed));
-  if (demoted > 0) parts.push_back(fmt::format("{} of validation now of regression", demoted));
+  if (demoted > 0) parts.push_back(fmt::format("{} of validation no more", demoted));
   return parts.empty() ? "" : fmt::format("Rows since the baseline: {}.", fmt::join(parts, ", "));
 }
 

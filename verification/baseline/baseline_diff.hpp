@@ -2,7 +2,7 @@
 // has moved, which rows were lost, are new or have another name, and which tolerances and terms
 // (baseline_change.hpp) are others. A metric has moved where its change exceeds both intervals
 // together and the round-off that differs between compilers and processors. Timings belong to one
-// machine and have no baseline.
+// machine: a row on a cost has its tolerance and its terms in the baseline, and no figure.
 #pragma once
 
 #include <optional>
@@ -18,20 +18,23 @@ namespace slosh {
 struct RowMovement {
   std::string row;  // its name in the campaign
   std::string unit;
-  std::optional<BaselineValue> before, after;  // nullopt: no such row, or no value now
+  std::optional<BaselineValue> before, after;  // nullopt: there is no such row
   // |after - before| over the root of the sum of both half widths' squares. It is infinite for a
   // moved value without any half width, and zero where before or after is missing.
   double uncertainties = 0;
   bool loosened = false;  // whether the tolerance accepts more than before at either end
-  // Whether this form of the campaign no longer has the row: nothing declares it, or the whole form
-  // leaves its run out.
-  bool lost = false;
+  Verdict verdict = Verdict::not_compared;  // of the row as it is now
   std::string other_name = {};  // of a lost row the new one, of a new row the lost one, if any fits
 
+  // Whether this form of the campaign no longer has the row: nothing declares it, or the whole form
+  // leaves its run out.
+  bool lost() const { return !after; }
+  // Whether the row would have a value if the user had its record.
+  bool lacks_record() const { return verdict == Verdict::not_supplied; }
   // Whether the row appeared, was lost, moved, or has another tolerance or other terms.
   bool has_changed() const;
   // Whether the baseline's row was one of validation (or of a kind that was not recorded) and the
-  // row is lost or a regression now.
+  // row is lost or a regression now, or rests on a record that is not supplied and did not before.
   bool loses_validation() const;
 };
 
@@ -47,21 +50,18 @@ struct JudgedCampaign {
 std::string row_name(const std::string& case_name, const GateRow& row);
 std::string row_name(const std::string& problem, const ProblemGateRow& row);
 
-// The row's metric and tolerance, without terms. Returns nullopt where the metric was not measured.
-std::optional<BaselineValue> baseline_value(const GateOutcome& outcome);
-
 // Every row of the campaign, in its order, then those of the baseline that are lost. A row that a
-// selection leaves out, or whose record is not supplied, keeps its baseline and is not among them.
+// selection leaves out keeps its baseline and is not among them.
 std::vector<RowMovement> movements(const Baseline& baseline, const JudgedCampaign& campaign);
 
 // The changes of the rows that have changed. A row that has lost its value keeps its baseline: a
 // failed measurement is no new value. A lost row is removed. A row that has not changed and whose
-// terms are not recorded keeps its figures and gets its terms.
+// terms are not recorded in full keeps its figures and gets its terms.
 std::vector<BaselineChange> proposed_changes(const std::vector<RowMovement>& movements);
 
-// "+1.2 % -> +1.9 % (2.3 uncertainties)", "new: 1.2 %", "no value any more", "no row of this form
-// any more", followed by a changed tolerance, "tolerance loosened: -1.5 % .. 1.5 % -> -2 % .. 2 %",
-// and by changed terms, "kind: validation -> regression".
+// "+1.2 % -> +1.9 % (2.3 uncertainties)", "new: 1.2 %", "no value any more", "not supplied", "no
+// row of this form any more", followed by a changed tolerance, "tolerance loosened: -1.5 % .. 1.5 %
+// -> -2 % .. 2 %", and by changed terms, "kind: validation -> regression".
 std::string movement_text(const RowMovement& movement);
 
 // "Rows since the baseline: 2 lost (1 of validation), 1 new, 3 changed." Returns "" where there is

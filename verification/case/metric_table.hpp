@@ -79,6 +79,12 @@ enum class MeasuredOn {
 // Whose harmonic fit gives the metric its value and its interval.
 enum class FittedTones { none, of_candidate, of_both };
 
+// What a metric does not see of two series, which then have the same value: a modulus that one is
+// turned over or turned in phase, a distance that they lie on two sides of the reference. The
+// change from one to the other then counts at another place of the line through both
+// (refinement.hpp).
+enum class BlindTo { nothing, sign, side };
+
 // Where `slosh converge` shows how the metric falls with the particle spacing.
 enum class ConvergenceShown { nowhere, of_forced_mode, of_natural_modes, of_oscillation, of_front };
 
@@ -114,6 +120,7 @@ struct MetricEntry {
   const char* description;  // in the text of `slosh explain`
   MeasuredOn measured_on;
   FittedTones fitted;
+  BlindTo blind_to;
   ConvergenceShown convergence;
   RequiredBound bound;
   WidestBound widest;

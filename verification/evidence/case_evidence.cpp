@@ -302,8 +302,17 @@ GateEvidence CaseEvidence::gate_evidence() {
         text += "; doubtful: " + doubt;
     return text;
   };
-  return {find,     find_series, measure_impacts, uncertainty, cost,
-          ensemble, history,     fields,          repeats,     kept};
+  return {find,
+          find_series,
+          measure_impacts,
+          uncertainty,
+          cost,
+          ensemble,
+          history,
+          fields,
+          repeats,
+          kept,
+          definition_.sample_interval};
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {

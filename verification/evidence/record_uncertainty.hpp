@@ -6,9 +6,11 @@
 //   amplitude_error  u / A                phase_lag    u / A [rad]
 //   frequency_error  2 u / (A omega T)    decay_error  2 u / (A T) over the record's decay rate
 // A metric of the whole window is measured again with the record raised and lowered by u, and with
-// its deviations from the mean stretched and shrunk until the largest one has changed by u; the
-// largest change of the metric counts. Errors that are independent from sample to sample have a
-// smaller effect on all of these.
+// errors of that kind: the deviations from the mean over their largest one, and each of their
+// components a quarter of its period later, constant and growing from -1 to 1, times u and -u. The
+// largest change of the metric counts. Where u is as large as the amplitude or the largest
+// deviation, the record may be of nothing: the uncertainty is infinite, but for a mean offset.
+// Errors that are independent from sample to sample have a smaller effect on all of these.
 #pragma once
 
 #include <functional>

@@ -144,28 +144,37 @@ void take_noise_of_differences(std::vector<MeasuredRun>& measured, const GateRow
   measured.back().value.noise = own;
 }
 
-bool is_distance(Metric metric) {
-  return metric == Metric::normalised_rms || metric == Metric::aligned_rms ||
-         metric == Metric::outside_band;
+// The place s of f + s (g - f) at which a metric sees what it does not see at g.
+std::optional<double> other_place(Metric metric) {
+  switch (metric_entry(metric).blind_to) {
+    case BlindTo::sign:
+      return 0.5;
+    case BlindTo::side:
+      return -1;
+    case BlindTo::nothing:
+      break;
+  }
+  return std::nullopt;
 }
 
-// The finest series moved as far beyond itself as the coarser one lies to this side.
-TimeSeries mirrored(const TimeSeries& finest, const TimeSeries& coarser, TimeWindow window) {
+// f + s (g - f), with the finest series f and a coarser one g, at the times that both cover.
+TimeSeries on_the_line(const TimeSeries& finest, const TimeSeries& coarser, TimeWindow window,
+                       double place) {
   TimeSeries moved = cut_to_window(finest, window);
   const CommonSamples common = common_samples(cut_to_window(coarser, window), moved);
   const auto first = std::find(moved.time.begin(), moved.time.end(), common.time.front());
   const auto begin = static_cast<std::size_t>(first - moved.time.begin());
   for (std::size_t i = 0; i < common.time.size(); ++i)
-    moved.value[begin + i] += common.reference[i] - common.candidate[i];
+    moved.value[begin + i] += place * (common.candidate[i] - common.reference[i]);
   return moved;
 }
 
-// The values of a distance as the header has them. Throws ComparisonError or ResultError where a
-// run has no such series.
-std::vector<ValueAtStep> moved_both_ways(const std::vector<MeasuredRun>& measured,
-                                         const CaseDefinition& definition, const CaseRuns& runs,
-                                         const GateRow& row, Role role,
-                                         const MeasureWithSeries& measure_with) {
+// The values as the header has them for a metric that is blind. Throws ComparisonError or
+// ResultError where a run has no such series, and where there is no such metric at the place.
+std::vector<ValueAtStep> seen_elsewhere(const std::vector<MeasuredRun>& measured, double place,
+                                        const CaseDefinition& definition, const CaseRuns& runs,
+                                        const GateRow& row, Role role,
+                                        const MeasureWithSeries& measure_with) {
   const TimeWindow window{definition.window_begin, definition.window_end};
   const MeasuredRun& finest = measured.back();
   const TimeSeries& own = runs.results.at(finest.name).at(row.quantity);
@@ -173,14 +182,30 @@ std::vector<ValueAtStep> moved_both_ways(const std::vector<MeasuredRun>& measure
   for (const auto& [name, value] : measured) {
     values.push_back(value);
     if (name == finest.name) continue;
-    const double beyond =
+    const double there =
         measure_with(with(row, role, finest.name), finest.name,
-                     mirrored(own, runs.results.at(name).at(row.quantity), window))
+                     on_the_line(own, runs.results.at(name).at(row.quantity), window, place))
             .value;
     values.back().value = finest.value.value + std::max(std::abs(value.value - finest.value.value),
-                                                        std::abs(beyond - finest.value.value));
+                                                        std::abs(there - finest.value.value));
   }
   return values;
+}
+
+// By how much the straight line between a sample's neighbours misses it at most.
+double missed_by_lines(const TimeSeries& series) {
+  const auto& [name, unit, time, value] = series;
+  double missed = 0;
+  for (std::size_t i = 1; i + 1 < time.size(); ++i) {
+    const double share = (time[i] - time[i - 1]) / (time[i + 1] - time[i - 1]);
+    missed = std::max(missed, std::abs(value[i] - std::lerp(value[i - 1], value[i + 1], share)));
+  }
+  return missed;
+}
+
+bool has_sample(const TimeSeries& series, double time, double at_once) {
+  const auto next = std::lower_bound(series.time.begin(), series.time.end(), time - at_once);
+  return next != series.time.end() && *next <= time + at_once;
 }
 
 }  // namespace
@@ -189,21 +214,21 @@ bool are_same(const TimeSeries& one, const TimeSeries& other, TimeWindow window)
   constexpr double least_change = 1e-6;  // of the largest magnitude
   try {
     const TimeSeries a = cut_to_window(one, window), b = cut_to_window(other, window);
-    if (a.time.size() < 2 || b.time.empty()) return false;
+    const CommonSamples common = common_samples(b, a);
+    double largest = 0;
+    for (const double value : common.reference) largest = std::max(largest, std::abs(value));
     // Times that differ by less are one: they are printed in another way.
     const double at_once =
         least_change * (a.time.back() - a.time.front()) / static_cast<double>(a.time.size() - 1);
-    double largest = 0, apart = 0;
-    std::size_t common = 0;
-    for (std::size_t i = 0, j = 0; i < a.time.size(); ++i) {
-      while (j < b.time.size() && b.time[j] < a.time[i] - at_once) ++j;
-      if (j == b.time.size()) break;
-      if (b.time[j] > a.time[i] + at_once) continue;
-      largest = std::max(largest, std::abs(a.value[i]));
-      apart = std::max(apart, std::abs(a.value[i] - b.value[j]));
-      ++common;
+    // A line between neighbours misses a fourth of what one between every second sample does, and
+    // the cubic through values on such lines no more: twice that.
+    const double between = missed_by_lines(b) / 2;
+    for (std::size_t i = 0; i < common.time.size(); ++i) {
+      const double unknown = has_sample(b, common.time[i], at_once) ? 0 : between;
+      if (std::abs(common.candidate[i] - common.reference[i]) > least_change * largest + unknown)
+        return false;
     }
-    return common >= 2 && apart <= least_change * largest;
+    return common.time.size() >= 2;
   } catch (const ComparisonError&) {
     return false;  // one of them does not cover the window
   }
@@ -251,12 +276,18 @@ Refinements refined_metrics(const CaseDefinition& definition, const CaseRuns& ru
       metric.runs.push_back(name);
     }
     metric.found = judge(metric.values, itself->value.step);
-    if (is_distance(row.metric))
-      metric.found.uncertainty = std::max(
-          metric.found.uncertainty,
-          judge(moved_both_ways(measured, definition, runs, row, role, measures.with_series),
-                itself->value.step)
-              .uncertainty);
+    try {
+      if (const auto place = other_place(row.metric))
+        metric.found.uncertainty = std::max(
+            metric.found.uncertainty, judge(seen_elsewhere(measured, *place, definition, runs, row,
+                                                           role, measures.with_series),
+                                            itself->value.step)
+                                          .uncertainty);
+    } catch (const ComparisonError& error) {
+      found.unknown.push_back(fmt::format("the refinement {} tells nothing: between its runs {}",
+                                          path.name, error.what()));
+      continue;
+    }
     found.paths.push_back(std::move(metric));
   }
   return found;

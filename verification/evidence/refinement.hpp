@@ -7,11 +7,11 @@
 // section 5.6). For the coarser run this covers its whole error at first order, not only the
 // difference.
 //
-// A distance, such as normalised_rms, is the same for a series that is too high as for one that is
-// too low. With f the finest series and g a coarser one, its value there is therefore taken as
-//   m(f) + max(|m(g) - m(f)|, |m(2 f - g) - m(f)|)
-// the larger change as f moves to g and as far the other way, and the larger of both uncertainties
-// counts.
+// A metric may have one value for two series that differ (BlindTo). With f the finest series and g
+// a coarser one, its value there is then taken as
+//   m(f) + max(|m(g) - m(f)|, |m(f + s (g - f)) - m(f)|)
+// with s = -1 for a distance, as far the other way, and s = 1/2 for a modulus, which vanishes half
+// way to a wave that is turned over; and the larger of both uncertainties counts.
 #pragma once
 
 #include <functional>
@@ -61,8 +61,9 @@ struct Refinements {
 Refinements refined_metrics(const CaseDefinition& definition, const CaseRuns& runs,
                             const GateRow& row, Role role, const PathMeasures& measures);
 
-// Whether two series have the same values at their common times in the window, to a millionth of
-// the largest. A finer resolution changes the answer of every solver by more.
+// Whether two series have the same values in the window, to a millionth of the largest; at times
+// that the other lacks to what a straight line between its samples may miss. A finer resolution
+// changes the answer of every solver by more.
 bool are_same(const TimeSeries& one, const TimeSeries& other, TimeWindow window);
 
 // The root of the sum of squares of the paths' uncertainties.

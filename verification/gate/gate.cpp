@@ -17,22 +17,26 @@
 namespace slosh {
 namespace {
 
+// Two errors against one reference, by intervals of their own, and what moves both alike.
+struct Improvement {
+  Estimate estimate, other;
+  double common;      // half width of what the reference and the inputs may be off
+  double as_good_at;  // how far off they make both as good
+
+  bool outweighs() const { return std::abs(as_good_at) > common; }  // false for NaN
+};
+
 // The estimate must be nearer to zero by more than both intervals together, or its interval must
-// hold zero and have a half width below the other's magnitude.
-bool improves(const Estimate& estimate, const Estimate& other) {
-  const double gain = std::abs(other.value) - std::abs(estimate.value);
-  const bool clearly = gain > std::hypot(estimate.half_width, other.half_width);
+// hold zero and have a half width below the other's magnitude; and by more than what moves both.
+Verdict verdict_on(const Improvement& of) {
+  const auto& [estimate, other, common, as_good_at] = of;
+  const double gain = std::abs(other.value) - std::abs(estimate.value),
+               intervals = std::hypot(estimate.half_width, other.half_width);
   const bool to_zero = std::abs(estimate.value) <= estimate.half_width &&
                        estimate.half_width < std::abs(other.value);
-  return gain > 0 && (clearly || to_zero);
-}
-
-// A comparison with NaN is false, so that NaN is never better.
-Verdict verdict_on_improvement(const Estimate& estimate, const Estimate& other) {
-  if (improves(estimate, other)) return Verdict::pass;
-  const double loss = std::abs(estimate.value) - std::abs(other.value);
-  return std::abs(loss) < std::hypot(estimate.half_width, other.half_width) ? Verdict::inconclusive
-                                                                            : Verdict::violated;
+  if (!std::isfinite(gain)) return Verdict::violated;
+  if (gain > 0 && (gain > intervals || to_zero) && of.outweighs()) return Verdict::pass;
+  return std::abs(gain) < intervals || !of.outweighs() ? Verdict::inconclusive : Verdict::violated;
 }
 
 UncertaintyContributions contributions_to(const GateRow& row, const GateEvidence& evidence) {
@@ -49,18 +53,45 @@ std::string with_missing(const std::string& text, const std::string& missing) {
   return missing.empty() ? text : text + "; not included: " + missing;
 }
 
+// What the reference and the inputs may be off: the larger of both runs' or NaN.
+double common_to(const UncertaintyContributions& one, const UncertaintyContributions& other) {
+  const double a = std::hypot(one.reference.known(), one.input.known()),
+               b = std::hypot(other.reference.known(), other.input.known());
+  return std::isnan(b) ? b : std::max(a, b);
+}
+
+// A reference that is off by d moves errors by d alike, so that errors of the mean -d are as good.
+// Two distances it may move by d apart.
+double as_good_at(Metric metric, double one, double other) {
+  return (other + (metric_entry(metric).blind_to == BlindTo::side ? -one : one)) / 2;
+}
+
+std::string outweighed_text(const Improvement& found, const std::string& unit) {
+  if (found.outweighs()) return "";
+  const std::string off =
+      std::isfinite(found.common) ? in_unit(found.common, unit) : "an unknown amount";
+  return fmt::format("; the reference and the inputs may be off by {}, and both are as good at {}",
+                     off, in_unit(found.as_good_at, unit));
+}
+
 GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
                               const GateEvidence& evidence) {
-  const std::string& other = row.improves_on.value();
   GateRow others_row = row;
-  others_row.candidate = other;
-  const Estimate others = measured(others_row, evidence);
-  const Verdict verdict = verdict_on_improvement(value, others);
-  const std::string missing = missing_for_validation(contributions_to(row, evidence));
+  others_row.candidate = row.improves_on.value();
+  const Estimate other = measured(others_row, evidence);
+  const UncertaintyContributions own = contributions_to(row, evidence),
+                                 others = contributions_to(others_row, evidence);
+  const Improvement found{{value.value, std::hypot(value.half_width, own.time_series.known())},
+                          {other.value, std::hypot(other.half_width, others.time_series.known())},
+                          common_to(own, others),
+                          as_good_at(row.metric, value.value, other.value)};
+  const Verdict verdict = verdict_on(found);
+  const std::string missing = missing_for_validation(own);
   return {row, verdict_of_kind(row, verdict, missing), value,
-          with_missing(fmt::format("|{}| {} |{}| of {}", with_interval(value, row.unit),
+          with_missing(fmt::format("|{}| {} |{}| of {}", with_interval(found.estimate, row.unit),
                                    verdict == Verdict::pass ? "<" : "is not clearly <",
-                                   with_interval(others, row.unit), other),
+                                   with_interval(found.other, row.unit), others_row.candidate) +
+                           outweighed_text(found, row.unit),
                        missing)};
 }
 

@@ -120,7 +120,8 @@ std::optional<std::pair<Verdict, std::string>> obstacle_of(const std::string& su
 
 // A limit or a range passes where the whole 95 % interval about the metric lies within it, is
 // violated where all of it lies outside, and is inconclusive otherwise. An improvement on another
-// run is inconclusive where the intervals do not tell which run is better. A validation row with
+// run is inconclusive where the intervals do not tell which run is better, and where the reference
+// and the inputs may be off by as much as makes both runs as good. A validation row with
 // unknown numerical uncertainty of its candidate or unknown uncertainty of its reference is
 // inconclusive instead of passing, and its message names what is missing; a regression row may
 // still pass. NaN never passes: an impact that does not occur and an error that is not reached are

@@ -78,6 +78,7 @@ struct GateEvidence {
   MeasureFields fields = {};
   MeasureRepeats repeats = {};
   FindKept kept = {};
+  double sample_interval = 0;  // [s], of the case's series
 };
 
 }  // namespace slosh

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -134,13 +135,18 @@ double largest_magnitude(const TimeSeries& series) {
   return largest;
 }
 
-// Throws ComparisonError where the record begins later than the time itself.
-double initial_value(const TimeSeries& series) {
-  if (series.time.size() < 2 || std::abs(series.time[0]) > series.time[1] - series.time[0])
+// Throws ComparisonError where no sample lies within an interval of the start.
+double initial_value(const TimeSeries& series, double interval) {
+  const auto nearest =
+      std::min_element(series.time.begin(), series.time.end(),
+                       [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const double at = nearest == series.time.end() ? no_value.value : *nearest;
+  if (!(std::abs(at) <= 1.001 * interval))
     throw ComparisonError(fmt::format(
-        "{} begins at {:.4g} s; expected the start, 0 s, where initial_value is measured",
-        series.name, series.time.empty() ? no_value.value : series.time[0]));
-  return series.value[0];
+        "the sample of {} nearest to the start is at {:.4g} s; expected one within {:g} s "
+        "of 0 s, where initial_value is measured",
+        series.name, at, interval));
+  return series.value.at(static_cast<std::size_t>(nearest - series.time.begin()));
 }
 
 void require_unit(const GateRow& row, const std::string& quantity_unit) {
@@ -158,7 +164,7 @@ double candidate_alone(const GateRow& row, const GateEvidence& evidence) {
   if (row.metric == Metric::noise_share) return noise_share(series);
   if (row.metric == Metric::largest_magnitude) return largest_magnitude(series);
   if (row.metric == Metric::initial_value)
-    return initial_value(evidence.history(row.candidate, row.quantity));
+    return initial_value(evidence.history(row.candidate, row.quantity), evidence.sample_interval);
   throw std::logic_error("the candidate alone has no value of " + metric_name(row.metric));
 }
 
@@ -231,19 +237,19 @@ std::vector<std::string> reading_doubts(const GateRow& row, const Comparison& pa
 }
 
 // What stands still must not be within the row's bounds. Where the metric of nothing is one value,
-// these never hold it (WidestBound). An offset of the wave's height is one of nothing that swings,
-// and the share outside a band is that of zeros.
+// these never hold it (WidestBound). An offset of the largest departure is one of nothing that
+// swings, and the share outside a band is that of zeros.
 std::string met_by_nothing(const GateRow& row, const Comparison& pair) {
   if (row.improves_on) return "";
   const std::pair<double, double> bounds = bounds_of(row);
   const auto holds = [&](double value) { return bounds.first <= value && value <= bounds.second; };
-  const double height = 2 * pair.largest_departure;
-  if (row.metric == Metric::mean_offset && !pair.reference_is_constant && height > 0 &&
-      (holds(height) || holds(-height)))
+  const double departure = pair.largest_departure;
+  if (row.metric == Metric::mean_offset && !pair.reference_is_constant && departure > 0 &&
+      (holds(departure) || holds(-departure)))
     return fmt::format(
-        "the bounds hold {:.3g} {}, twice the reference's largest departure from its "
-        "mean: a candidate that does not move meets them wherever it stays",
-        height, pair.unit);
+        "the bounds hold {:.3g} {}, the reference's largest departure from its mean: a candidate "
+        "that does not move meets them wherever it stays",
+        departure, pair.unit);
   if (!pair.margin_of_nothing) return "";
   const double outside = share_outside(*pair.margin_of_nothing, window_of(row, pair));
   return row.metric == Metric::outside_band && holds(outside)
@@ -282,10 +288,13 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
     if (series.time.size() < 2) continue;  // refused by its metric
     covered = std::min(covered, covered_share(series, {series.time.front(), series.time.back()}));
     if (!doubts.empty()) continue;
-    if (const auto gap = longest_gap(series))
+    const bool is_compared = find_quantity(row.quantity) != nullptr;
+    const double recorded =
+        is_compared ? evidence.sample_interval : std::numeric_limits<double>::infinity();
+    if (const auto gap = longest_gap(series, recorded))
       doubts.push_back(fmt::format("the candidate has no sample between {:.4g} and {:.4g} s",
                                    gap->begin, gap->end));
-    if (!find_quantity(row.quantity)) continue;
+    if (!is_compared) continue;
     SensorReadings readings{"candidate", series.unit, sensor_limits(series)};
     readings.limits.lowest.reset();
     std::ranges::move(flat_doubts(readings), std::back_inserter(doubts));

@@ -9,7 +9,8 @@
 namespace slosh {
 namespace {
 
-constexpr double least_departure = 0.05, least_gap = 10, resolved_share = 0.01;
+constexpr double least_departure = 0.05, least_gap = 10, least_recorded_gap = 3,
+                 resolved_share = 0.01;
 // [median intervals] Through every second sample a reference resolves itself.
 constexpr double longest_resolved = 2;
 
@@ -129,8 +130,9 @@ std::optional<UnseenInterval> unseen_interval(const TimeSeries& candidate,
   return of_candidate;
 }
 
-std::optional<TimeWindow> longest_gap(const TimeSeries& series) {
-  double longest = least_gap * median_interval(series.time);
+std::optional<TimeWindow> longest_gap(const TimeSeries& series, double recorded_interval) {
+  double longest =
+      std::min(least_gap * median_interval(series.time), least_recorded_gap * recorded_interval);
   std::optional<TimeWindow> gap;
   for (std::size_t i = 1; i < series.time.size(); ++i) {
     if (series.time[i] - series.time[i - 1] <= longest) continue;

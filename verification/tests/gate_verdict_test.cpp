@@ -401,6 +401,41 @@ TEST_F(EarlierVerdict, OutlivesNoStartThatEndsEarly) {
   EXPECT_TRUE(holds(gate_page(), "PASS"));
 }
 
+// Two outputs, an output behind "=", a misspelt option, and the campaign behind "--".
+TEST_F(EarlierVerdict, OutlivesNoCommandLineThatMayMeanIt) {
+  ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", place}).status, 0);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"-o", place, "-o", "other"},
+        {"-o", "other", "-o", place},
+        {"-o=" + place, "--bad"},
+        {"--outpu", place},
+        {"--outpu=" + place},
+        {"-o", place, "--", "another"}}) {
+    pass_both();
+    std::vector<std::string> line{"gate", "./surges.toml"};
+    line.insert(line.end(), words.begin(), words.end());
+    EXPECT_EQ(tool(line).status, 2) << words.front();
+    expect_no_pass(words.front() + " " + words.back());
+  }
+}
+
+TEST_F(EarlierVerdict, OfTheWholeDoesNotOutliveASelectionThatFails) {
+  ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", place}).status, 0);
+  pass_both();
+  EXPECT_EQ(tool({"gate", "./surges.toml", "-o", place, "--only", "small/*"}).status, 0);
+  EXPECT_TRUE(holds(gate_page(), "PASS"));
+  for (const char* program : {"exit 1\n", "scaled"}) {
+    pass_both();
+    if (program == std::string("scaled"))
+      write_campaign(with(own_case, "limit = 0.05", "limit = 0.001"));
+    else
+      write_program(program);
+    EXPECT_NE(tool({"gate", "./surges.toml", "-o", place, "--only", "small/mine"}).status, 0);
+    expect_no_pass(program);
+    write_program(std::string("exec \"") + STAND_IN_SOLVER + "\" \"$@\"\n");
+  }
+}
+
 TEST_F(EarlierVerdict, IsTheExitStatusThatTheUserAskedFor) {
   write_campaign(small_case + own_run + own_row("amplitude_error", "0.01"));
   ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", place, "--inconclusive-exit", "0"}).status, 0);

@@ -75,10 +75,38 @@ TEST(BaselineDiff, OfWhatMachinesRoundDifferentlyIsNone) {
   EXPECT_TRUE(moved_in(exact, campaign(outcome(0.01 + 6e-8, 0, 0.05))).at(0).has_changed());
 }
 
-TEST(BaselineDiff, LeavesTimingsOut) {
+// A limit of a cost times 1e9, and a row on one that is deleted.
+TEST(BaselineDiff, KeepsTheToleranceOfACostAndNotItsTiming) {
   GateOutcome cost = outcome(3, 0.1, 5);
   cost.row.metric = Metric::cost_to_reach;
-  EXPECT_TRUE(moved_in({}, campaign(cost)).empty());
+  const auto first = moved_in({}, campaign(cost));
+  ASSERT_EQ(first.size(), 1U);
+  EXPECT_FALSE(first[0].after->value.has_value());
+  const Baseline before{{first[0].row, *first[0].after}};
+  cost.value = {4, 0.1};
+  EXPECT_FALSE(moved_in(before, campaign(cost)).at(0).has_changed());
+  cost.row.limit = 5e9;
+  const RowMovement moved = moved_in(before, campaign(cost)).at(0);
+  EXPECT_TRUE(moved.has_changed());
+  EXPECT_EQ(movement_text(moved),
+            "no value, tolerance loosened: -500 % .. +500 % -> -5e+11 % .. "
+            "+5e+11 %");
+  EXPECT_TRUE(moved_in(before, {}).at(0).loses_validation());
+}
+
+TEST(BaselineDiff, KeepsARowThatNeverHadAValue) {
+  const GateOutcome open = outcome(nan, nan, 0.05, Verdict::not_compared);
+  const auto changes = proposed_changes(moved_in({}, campaign(open)));
+  ASSERT_EQ(changes.size(), 1U);
+  const Baseline before{{amplitude_row, changes[0].after.value()}};
+  EXPECT_FALSE(moved_in(before, campaign(open)).at(0).has_changed());
+  EXPECT_TRUE(moved_in(before, {}).at(0).loses_validation());
+  const RowMovement first = moved_in(before, campaign(outcome(0.01, 0.003, 0.05))).at(0);
+  EXPECT_TRUE(first.has_changed());
+  EXPECT_EQ(movement_text(first), "first value: +1 %");
+  const TemporaryDirectory temporary;
+  write_proposal({"surges", changes}, temporary.path() / "proposal.json");
+  EXPECT_EQ(read_proposal(temporary.path() / "proposal.json").changes, changes);
 }
 
 TEST(BaselineDiff, TellsALoosenedToleranceEvenWhereNothingMoved) {
@@ -119,7 +147,8 @@ TEST(BaselineDiff, TellsARangeThatGrewAtOneEnd) {
 
 TEST(BaselineDiff, AValueThatIsNoNumberIsLostAndNotMoved) {
   const RowMovement lost = movement(outcome(nan, nan, 0.05, Verdict::not_compared));
-  EXPECT_FALSE(lost.after.has_value());
+  EXPECT_FALSE(lost.lost());
+  EXPECT_FALSE(lost.after->value.has_value());
   EXPECT_EQ(movement_text(lost), "no value any more");
   EXPECT_TRUE(proposed_changes({lost}).empty());
 }
@@ -149,14 +178,39 @@ TEST(BaselineDiff, LeavesAloneWhatASelectionLeavesOutAndWhatTheUserDoesNotHave) 
   EXPECT_TRUE(
       moved_in(baseline, campaign(outcome(nan, nan, 0.05, Verdict::not_selected)), is_partial)
           .empty());
-  EXPECT_TRUE(moved_in(baseline, campaign(outcome(nan, nan, 0.05, Verdict::not_supplied))).empty());
+  const RowMovement missing = movement(outcome(nan, nan, 0.05, Verdict::not_supplied));
+  EXPECT_FALSE(missing.has_changed());
+  EXPECT_FALSE(missing.loses_validation());
+  EXPECT_TRUE(proposed_changes({missing}).empty());
+}
+
+// Theory gives way to a record that nobody has.
+TEST(BaselineDiff, ARowThatNowRestsOnARecordThatIsNotSuppliedIsLost) {
+  std::vector<CaseAssessment> now = campaign(outcome(0.01, 0.003, 0.05));
+  RunDefinition reference{};
+  reference.name = "linear";
+  reference.solver = PotentialRun{};
+  now[0].definition.runs = {reference};
+  const Baseline before{{amplitude_row, *moved_in({}, now).at(0).after}};
+  RecordRun record{};
+  record.file = "nowhere/x.csv";
+  record.supplied = false;
+  now[0].definition.runs[0].solver = record;
+  now[0].gate = {outcome(nan, nan, 0.05, Verdict::not_supplied)};
+  const RowMovement moved = moved_in(before, now).at(0);
+  EXPECT_TRUE(moved.has_changed());
+  EXPECT_TRUE(moved.loses_validation());
+  EXPECT_NE(movement_text(moved).find("linear, the record x.csv"), std::string::npos)
+      << movement_text(moved);
+  const Baseline approved{{amplitude_row, proposed_changes({moved}).at(0).after.value()}};
+  EXPECT_FALSE(moved_in(approved, now).at(0).loses_validation());
 }
 
 // The baseline of a form holds what that form judged: a run is no longer marked as quick.
 TEST(BaselineDiff, ARowThatTheWholeFormLeavesOutIsLost) {
   const auto moved = moved_in(baseline, campaign(outcome(nan, nan, 0.05, Verdict::not_selected)));
   ASSERT_EQ(moved.size(), 1U);
-  EXPECT_TRUE(moved[0].lost);
+  EXPECT_TRUE(moved[0].lost());
   EXPECT_TRUE(moved[0].loses_validation());
 }
 
@@ -174,7 +228,7 @@ TEST(BaselineDiff, ALostRowOfRegressionLosesNoValidation) {
   Baseline before = baseline;
   before.begin()->second.terms = RowTerms{"regression", "", "", ""};
   const auto gone = moved_in(before, {});
-  EXPECT_TRUE(gone.at(0).lost);
+  EXPECT_TRUE(gone.at(0).lost());
   EXPECT_FALSE(gone.at(0).loses_validation());
 }
 
@@ -188,7 +242,7 @@ TEST(BaselineDiff, NamesTheRowThatALostOneMayBeNow) {
   const auto moved = moved_in(baseline, campaign(of_candidate("sph_2")));
   ASSERT_EQ(moved.size(), 2U);
   EXPECT_EQ(movement_text(moved[0]), "new: +1 %; it may have been " + amplitude_row);
-  EXPECT_TRUE(moved[1].lost);
+  EXPECT_TRUE(moved[1].lost());
   EXPECT_EQ(moved[1].other_name, moved[0].row);
   GateOutcome other_metric = of_candidate("sph_2");
   other_metric.row.metric = Metric::phase_lag;
@@ -242,6 +296,33 @@ TEST(BaselineDiff, TellsOtherEvidenceOfARow) {
   }
   before.begin()->second.terms->evidence.clear();  // an older ledger
   EXPECT_FALSE(moved_in(before, now).at(0).has_changed());
+}
+
+// The coarse run of a refinement decides u_num, and an input's run u_input.
+TEST(BaselineDiff, TellsOtherSettingsOfARunThatTheRowRestsOn) {
+  std::vector<CaseAssessment> now = campaign(outcome(0.01, 0.003, 0.05));
+  CaseDefinition& definition = now[0].definition;
+  RunDefinition mine{}, coarse{}, input{}, idle{};
+  mine.name = "sph";
+  coarse.name = "coarse";
+  input.name = "at_bounds";
+  idle.name = "idle";
+  mine.solver = ExternalRun{.command = {"./solve", "1.01"}};
+  coarse.solver = input.solver = idle.solver = ExternalRun{.command = {"./solve", "1.06"}};
+  definition.runs = {mine, coarse, input, idle};
+  definition.refinements = {{"spacing", RefinedNumber::particle_spacing, {"sph", "coarse"}}};
+  definition.inputs = {{Input::amplitude, 0.001, "a ruler", "at_bounds"}};
+  const Baseline before{{amplitude_row, *moved_in({}, now).at(0).after}};
+  for (std::size_t i = 1; i < definition.runs.size(); ++i) {
+    std::vector<CaseAssessment> other = now;
+    std::get<ExternalRun>(other[0].definition.runs[i].solver).command[1] = "1.0101";
+    EXPECT_EQ(moved_in(before, other).at(0).has_changed(), i < 3) << i;
+  }
+  Baseline older = before;  // with the first hash alone
+  older.begin()->second.terms->setup.resize(32);
+  const RowMovement moved = moved_in(older, now).at(0);
+  EXPECT_FALSE(moved.has_changed());
+  EXPECT_EQ(proposed_changes({moved}).at(0).after->terms->setup.size(), 65U);
 }
 
 TEST(BaselineDiff, ATwelfthDigitIsNoChange) {

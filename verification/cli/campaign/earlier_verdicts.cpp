@@ -111,16 +111,25 @@ void EarlierVerdicts::end_early(const std::string& why) const {
   }
 }
 
+std::optional<int> EarlierVerdicts::told(const Place& place, const char* folder) {
+  std::optional<int> found;
+  for (const auto& [file, text] : place.texts)
+    if (file.parent_path().filename() == folder)
+      if (const auto one = told_status(file, text)) found = one;
+  return found;
+}
+
 void EarlierVerdicts::end(const char* folder, int status) const {
   const Place& own = places_.front();
-  std::optional<int> told;
-  for (const auto& [file, text] : own.texts)
-    if (file.parent_path().filename() == folder)
-      if (const auto one = told_status(file, text)) told = one;
-  if (!told || is_worse_status(status, *told))
-    return supersede(own, folder,
-                     is_worse_status(status, exit_not_compared) ? status : exit_not_compared,
-                     fmt::format("a later start has ended with exit status {}", status));
+  const std::string why = fmt::format("a later start has ended with exit status {}", status);
+  const bool has_failed = is_worse_status(status, exit_not_compared);
+  for (auto whole = places_.begin() + 1; has_failed && whole != places_.end(); ++whole)
+    for (const char* one : {gate_folder, report_folder})
+      if (is_worse_status(status, told(*whole, one).value_or(exit_pass)))
+        supersede(*whole, one, status, why);
+  const std::optional<int> before = told(own, folder);
+  if (!before || is_worse_status(status, *before))
+    return supersede(own, folder, has_failed ? status : exit_not_compared, why);
   for (const auto& [file, text] : own.texts)
     if (file.parent_path().filename() == folder)
       replace_file(file, text, Durability::process_crash);
@@ -144,19 +153,29 @@ void supersede_for_mistake(const CLI::App& app, const Installation& installation
   for (const char* name : {"campaign", "gate", "report"}) {
     const CLI::App& command = *app.get_subcommand(name);
     if (!command.parsed()) continue;
-    const auto word = [&](const char* option) {
-      const std::vector<std::string>& words = command.get_option(option)->results();
-      return words.empty() ? std::string() : words.back();
-    };
+    const auto words = [&](const char* option) { return command.get_option(option)->results(); };
     CampaignOptions options;
-    options.campaign = word("name");
-    options.output = word("--output");
     options.selection.quick = command.get_option("--quick")->count() > 0;
-    options.selection.only = command.get_option("--only")->results();
-    options.selection.tags = command.get_option("--tag")->results();
+    options.selection.only = words("--only");
+    options.selection.tags = words("--tag");
     options.all = command.get_option_no_throw("--all") && command.get_option("--all")->count() > 0;
-    if (!options.campaign.empty() || !options.output.empty() || options.all)
+    // The words that the parser could not place may be the output or the campaign.
+    std::vector<std::string> outputs = words("--output"), names = words("name");
+    for (const std::string& one : app.remaining(true)) {
+      outputs.push_back(one.substr(one.find('=') + 1));
+      if (!one.starts_with("-")) names.push_back(one);
+    }
+    const auto end_in = [&](const std::string& campaign, const std::string& output) {
+      options.campaign = campaign;
+      options.output = output;
       EarlierVerdicts(options, installation).end_early(mistake);
+    };
+    for (const std::string& one : outputs)
+      if (const std::string place = one.substr(one.starts_with("=")); fs::is_directory(place))
+        end_in(names.empty() ? "" : names.front(), place);
+    if (!words("--output").empty()) continue;
+    for (const std::string& one : names) end_in(one, "");
+    if (options.all) end_in("", "");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,8 @@ class EarlierVerdicts {
   // may be a mistake: the documents of the whole campaign go too.
   void end_early(const std::string& why) const;
   // Puts back those of a folder that this start has not written, "gate" or "report", unless they
-  // say better than its exit status.
+  // say better than its exit status. Where a selection has failed, those of the whole campaign that
+  // say better go too.
   void end(const char* folder, int status) const;
 
  private:
@@ -35,6 +37,8 @@ class EarlierVerdicts {
     std::map<std::filesystem::path, std::string> texts;
   };
   static Place read(const std::filesystem::path& directory);
+  // The exit status that the documents of a folder tell; nullopt where none does.
+  static std::optional<int> told(const Place& place, const char* folder);
   void supersede(const Place& place, const char* folder, int status, const std::string& why) const;
 
   std::string campaign_;
@@ -46,7 +50,8 @@ class EarlierVerdicts {
 int superseding(const CampaignOptions& options, const Installation& installation,
                 const std::function<int(EarlierVerdicts&)>& start);
 
-// Does the same for a command line that cannot be read, as far as it names a campaign's output.
+// Does the same for a command line that cannot be read, in every directory and of every campaign
+// that one of its words may be. It cannot where the command itself is misspelt.
 void supersede_for_mistake(const CLI::App& app, const Installation& installation,
                            const std::string& mistake);
 

@@ -30,7 +30,7 @@ void print_changes(const GateFindings& findings, const fs::path& ledger) {
   for (const RowMovement& movement : findings.movements)
     if (movement.has_changed())
       print_lines(fmt::format("{:<14} {}: {}\n",
-                              movement.lost     ? "lost"
+                              movement.lost()   ? "lost"
                               : movement.before ? "moved"
                                                 : "new",
                               movement.row, movement_text(movement)));

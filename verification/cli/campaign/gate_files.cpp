@@ -72,12 +72,10 @@ reports::GateEntry entry_in(const std::string& group, const Outcome& outcome,
 void add_movement(const std::string& row, const GateFindings& findings, reports::GateEntry& entry) {
   const auto moved =
       std::find_if(findings.movements.begin(), findings.movements.end(),
-                   [&](const RowMovement& one) { return one.row == row && !one.lost; });
+                   [&](const RowMovement& one) { return one.row == row && !one.lost(); });
   if (moved == findings.movements.end()) return;
-  if (moved->after) {
-    entry.lower = moved->after->lower;
-    entry.upper = moved->after->upper;
-  }
+  entry.lower = moved->after->lower;
+  entry.upper = moved->after->upper;
   if (findings.has_baseline) entry.moved = movement_text(*moved);
   entry.loosened = moved->loosened;
   if (moved->loses_validation() && entry.outcome == GateOutcomeKind::pass)
@@ -186,7 +184,7 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed, const Gate
     add_open_run(one.definition.name, "the problem", one.run.status, document);
   }
   for (const RowMovement& one : findings.movements)
-    if (one.lost) document.entries.push_back(entry_of(one));
+    if (one.lost()) document.entries.push_back(entry_of(one));
   add_bare_verdict(assessed.definition.name, findings, document);
   return document;
 }

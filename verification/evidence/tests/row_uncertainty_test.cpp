@@ -125,6 +125,30 @@ TEST(RowUncertainty, OfACopyThatWasTouchedIsUnknownToo) {
   }
 }
 
+// The same program, with samples that lie half an interval later, on straight lines between those
+// of the other: what lies between is not known better.
+TEST(RowUncertainty, OfACopyAtOtherTimesIsUnknownToo) {
+  for (const double part : {0.3, 0.5}) {
+    OfMeshes meshes(0.005, 0.005);
+    const TimeSeries wave = scaled(elevation_of({}), 1.005);
+    TimeSeries later = wave;
+    for (std::size_t i = 0; i + 1 < wave.time.size(); ++i) {
+      later.time[i] = (1 - part) * wave.time[i] + part * wave.time[i + 1];
+      later.value[i] = (1 - part) * wave.value[i] + part * wave.value[i + 1];
+    }
+    later.time.pop_back();
+    later.value.pop_back();
+    meshes.runs.results["coarse_mesh"] = result_of("coarse_mesh", later);
+    const GateOutcome outcome = meshes.judged();
+    EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << part;
+    EXPECT_NE(outcome.message.find("the refinement changed nothing"), std::string::npos)
+        << outcome.message;
+    for (double& value : later.value) value *= 1.01;  // what a refinement does
+    meshes.runs.results["coarse_mesh"] = result_of("coarse_mesh", later);
+    EXPECT_EQ(meshes.judged().message.find("the refinement changed nothing"), std::string::npos);
+  }
+}
+
 TEST(RowUncertainty, OfAMeshWithoutAnotherIsUnknownAndDoesNotPass) {
   OfMeshes meshes(0.01, 0.005);
   ASSERT_EQ(meshes.judged().verdict, Verdict::pass);
@@ -355,6 +379,42 @@ TEST(RowUncertainty, OfADistanceIsThatOfWhatTheRefinementMoves) {
   EXPECT_NEAR(row.judged().value.value, 0.09, 1e-3);
   EXPECT_NEAR(row.contributions().discretisation.known(), 3 * 0.18, 2e-3);
   EXPECT_EQ(row.judged().verdict, Verdict::inconclusive) << row.judged().message;
+}
+
+// A coarse wave that is turned over has the same modulus, and so has one that is a quarter late.
+TEST(RowUncertainty, OfAModulusSeesAWaveThatIsTurnedOver) {
+  for (const auto& [metric, mode] :
+       {std::pair{Metric::amplitude_error, "forced"}, {Metric::rms_error, "whole"}}) {
+    OfARecord row(metric, mode, "1", 0.1, -1.9), turned(metric, mode, "1", 0.1, -2);
+    EXPECT_EQ(row.judged().verdict, Verdict::inconclusive) << row.judged().message;
+    EXPECT_NEAR(row.contributions().discretisation.known(), 3 * 0.95, 1e-3) << metric_name(metric);
+    EXPECT_EQ(turned.judged().verdict, Verdict::inconclusive) << turned.judged().message;
+    EXPECT_NE(
+        turned.judged().message.find("the refinement spacing tells nothing: between its runs"),
+        std::string::npos);
+    OfARecord refined(metric, mode, "1", 0.1, 0.002);
+    EXPECT_EQ(refined.judged().verdict, Verdict::pass) << refined.judged().message;
+    EXPECT_NEAR(refined.contributions().discretisation.known(), 0.006, 1e-6);
+  }
+}
+
+// Every metric of a record's whole window: a wave of 1 cm that is known to 1 mm, to 2 cm.
+TEST(RowUncertainty, OfARecordReachesEveryMetricOfTheWindow) {
+  for (const auto& [metric, unit, limit] : {std::tuple{Metric::normalised_rms, "1", 0.5},
+                                            {Metric::rms_error, "1", 0.5},
+                                            {Metric::mean_offset, "m", 0.003},
+                                            {Metric::cross_correlation_lag, "deg", 90.0},
+                                            {Metric::spectral_peak_error, "1", 0.2}}) {
+    OfARecord row(metric, "whole", unit, limit, 0.002);
+    std::optional<double>& uncertainty =
+        std::get<RecordRun>(row.definition.runs.at(1).solver).uncertainty;
+    EXPECT_EQ(row.judged().verdict, Verdict::pass) << row.judged().message;
+    const double small = row.contributions().reference.known();
+    uncertainty = 5e-4;
+    EXPECT_GT(row.contributions().reference.known(), 100 * small) << metric_name(metric);
+    uncertainty = 0.02;
+    EXPECT_EQ(row.judged().verdict, Verdict::inconclusive) << row.judged().message;
+  }
 }
 
 TEST(RowUncertainty, OfARegressionAgainstAnExperimentIsThatOfTheLimitsMeasurement) {

@@ -305,11 +305,11 @@ TEST(Gate, DoesNotCompareAModeThatIsNotResolved) {
 TEST(Gate, DoesNotPassABoundThatACandidateOfNothingMeets) {
   Comparison comparison = comparison_of(0);
   comparison.largest_departure = 0.01;
-  EXPECT_EQ(judge(row_of(Metric::mean_offset, "whole", "m", 0.019), comparison).verdict,
+  EXPECT_EQ(judge(row_of(Metric::mean_offset, "whole", "m", 0.0099), comparison).verdict,
             Verdict::pass);
-  const GateOutcome wide = judge(row_of(Metric::mean_offset, "whole", "m", 0.5), comparison);
+  const GateOutcome wide = judge(row_of(Metric::mean_offset, "whole", "m", 0.0101), comparison);
   EXPECT_EQ(wide.verdict, Verdict::inconclusive);
-  EXPECT_NE(wide.message.find("the bounds hold 0.02 m, twice the reference's largest departure"),
+  EXPECT_NE(wide.message.find("the bounds hold 0.01 m, the reference's largest departure"),
             std::string::npos)
       << wide.message;
   comparison.window = {0, 1};
@@ -374,13 +374,18 @@ class GateOnImprovement : public ::testing::Test {
     row.improves_on = "sph_coarse";
   }
   Verdict verdict(double fine_error, double coarse_error) const {
+    return outcome(fine_error, coarse_error, {}).verdict;
+  }
+  GateOutcome outcome(double fine_error, double coarse_error,
+                      const UncertaintyContributions& contributions) const {
     const Comparison fine = comparison_of(fine_error), coarse = comparison_of(coarse_error);
     const FindComparison find = [&](const std::string& run, const std::string& reference,
                                     const std::string&) -> const Comparison& {
       EXPECT_EQ(reference, "linear");
       return run == "sph" ? fine : coarse;
     };
-    return evaluate(row, all_finished(), {find, no_series}).verdict;
+    return evaluate(row, all_finished(),
+                    {find, no_series, {}, [&](const GateRow&) { return contributions; }});
   }
 
   GateRow row = amplitude_row;
@@ -399,6 +404,51 @@ TEST_F(GateOnImprovement, NeedsMoreThanBothIntervalsUnlessItReachesZero) {
   EXPECT_EQ(verdict(0.0100, 0.0115), Verdict::pass);
   EXPECT_EQ(verdict(0.0008, 0.0011), Verdict::pass);
   EXPECT_EQ(verdict(0.0008, 0.0009), Verdict::inconclusive);
+}
+
+// A reference that is off by d gives errors that are off by d. The two are as good as one another
+// where d is the mean of both errors; of distances at half of their difference, at the worst.
+TEST_F(GateOnImprovement, MustExceedWhatTheReferencesUncertaintyExplains) {
+  const auto with = [&](double fine, double coarse, double reference) {
+    return outcome(fine, coarse, {.reference = reference}).verdict;
+  };
+  EXPECT_EQ(with(0.0136, 0.0899, 0.0517), Verdict::pass);
+  EXPECT_EQ(with(0.0136, 0.0899, 0.0518), Verdict::inconclusive);
+  EXPECT_EQ(with(-0.0136, 0.0899, 0.0381), Verdict::pass);
+  EXPECT_EQ(with(-0.0136, 0.0899, 0.0382), Verdict::inconclusive);
+  EXPECT_EQ(with(0.0899, 0.0136, 0.0517), Verdict::violated);
+  EXPECT_EQ(with(0.0899, 0.0136, 0.0518), Verdict::inconclusive);
+  EXPECT_EQ(with(0.0008, 0.0899, 0.05), Verdict::inconclusive) << "its interval holds zero";
+  EXPECT_EQ(with(0.0136, 0.0899, nan), Verdict::inconclusive);
+  EXPECT_EQ(with(nan, 0.0899, 0.05), Verdict::violated);
+  EXPECT_EQ(outcome(0.0136, 0.0899, {.input = 0.06}).verdict, Verdict::inconclusive);
+  EXPECT_EQ(outcome(0.0136, 0.0899, {.time_series = 0.09}).verdict, Verdict::inconclusive);
+  const std::string message = outcome(0.0136, 0.0899, {.reference = 0.06}).message;
+  EXPECT_NE(message.find("is not clearly < |8.99 ± 0.10 %| of sph_coarse; the reference and the "
+                         "inputs may be off by 6 %, and both are as good at 5.17 %"),
+            std::string::npos)
+      << message;
+}
+
+TEST(Gate, AnImprovementInADistanceMustExceedTwiceTheReferencesUncertainty) {
+  GateRow row = row_of(Metric::normalised_rms, "whole", "1", 0);
+  row.limit.reset();
+  row.improves_on = "sph_coarse";
+  Comparison fine = comparison_of(0), coarse = comparison_of(0);
+  fine.normalised_rms.value = 0.05;  // coarse: 0.1
+  const FindComparison find = [&](const std::string& run, const auto&,
+                                  const auto&) -> const Comparison& {
+    return run == "sph" ? fine : coarse;
+  };
+  for (const double reference : {0.0249, 0.0251})
+    EXPECT_EQ(
+        evaluate(row, all_finished(),
+                 {find,
+                  no_series,
+                  {},
+                  [=](const GateRow&) { return UncertaintyContributions{.reference = reference}; }})
+            .verdict,
+        reference < 0.025 ? Verdict::pass : Verdict::inconclusive);
 }
 
 TEST_F(GateOnImprovement, NeverPassesNaN) {
@@ -671,7 +721,16 @@ class GateOnOwnSeries : public ::testing::Test {
                        EXPECT_EQ(run, "sph");
                        EXPECT_EQ(quantity, series.name);
                        return cut_to_window(series, {0, duration});
-                     }});
+                     },
+                     {},
+                     {},
+                     {},
+                     {},
+                     {},
+                     {},
+                     {},
+                     {},
+                     0.01});
   }
   GateRow row = row_of(Metric::largest_magnitude, "whole", "1", 0.5);
 };
@@ -739,6 +798,22 @@ TEST_F(GateOnOwnSeries, DoesNotPassWithAHoleAndSaysWhatTheSamplesCover) {
   EXPECT_EQ(judge_series(without(count / 5, 9 * count / 10)).verdict, Verdict::not_compared);
 }
 
+// A wave that is thinned to every third sample and has none above half of its crests, six medians
+// long.
+TEST_F(GateOnOwnSeries, DoesNotPassWithAHoleAtEveryCrest) {
+  row.quantity = "elevation@right";
+  row.unit = "m";
+  TimeSeries kept{row.quantity, row.unit, {0}, {0}};
+  for (int i = 3; i <= 1000; i += 3)
+    if (const double value = 0.75 * std::sin(0.055 * i); std::abs(value) < 0.375 || i == 999) {
+      kept.time.push_back(0.01 * i);
+      kept.value.push_back(i == 999 ? 0.3 : value);
+    }
+  const GateOutcome outcome = judge_series(kept);
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << outcome.message;
+  EXPECT_NE(outcome.message.find("the candidate has no sample between"), std::string::npos);
+}
+
 TEST_F(GateOnOwnSeries, FailsWithItsSolver) {
   const GateOutcome outcome =
       evaluate(row, {{"sph", {RunState::failed, "a particle left the tank"}}}, {});
@@ -772,7 +847,7 @@ class GateOnTheStart : public ::testing::Test {
     };
     const FindHistory history = [&](const std::string&, const std::string&) { return whole; };
     return evaluate(row, {{"sph", {RunState::finished, ""}}},
-                    {{}, window, {}, {}, {}, {}, history});
+                    {{}, window, {}, {}, {}, {}, history, {}, {}, {}, 0.01});
   }
 
   GateRow row = row_of(Metric::initial_value, "whole", "m", 0.0035);
@@ -799,10 +874,20 @@ TEST_F(GateOnTheStart, DoesNotJudgeASeriesWithoutIts) {
   for (const TimeSeries& series : {late, truncated, poisoned})
     EXPECT_EQ(judge(series).verdict, Verdict::not_compared);
   EXPECT_EQ(judge(late).message,
-            "elevation@right begins at 0.02 s; expected the start, 0 s, where initial_value is "
-            "measured");
+            "the sample of elevation@right nearest to the start is at 0.02 s; expected one within "
+            "0.01 s of 0 s, where initial_value is measured");
   for (double& value : scaled.value) value *= 1000;
   EXPECT_EQ(judge(scaled).verdict, Verdict::violated);
+  TimeSeries early = recorded(), later = recorded();
+  for (double& value : early.value) value += 1;
+  early.time[0] = -5;
+  early.value[0] = 0;
+  EXPECT_EQ(judge(early).verdict, Verdict::violated) << "of 0.01 s";
+  for (auto* column : {&later.time, &later.value})
+    column->erase(column->begin(), column->begin() + 100);
+  later.time[0] = 0.49;
+  later.value[0] = 0;
+  EXPECT_EQ(judge(later).verdict, Verdict::not_compared);
   poisoned = recorded();
   poisoned.value[0] = nan;
   EXPECT_NE(judge(poisoned).verdict, Verdict::pass);
