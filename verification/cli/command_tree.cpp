@@ -158,7 +158,7 @@ void add_all_commands(const CommandTree& tree) {
                   "\nExamples:\n"
                   "  ./slosh list 'li2010_*'\n"
                   "  ./slosh run li2010_small_amplitude linear --output linear.h5\n"
-                  "  ./slosh problem kernels --quick --output kernels.json");
+                  "  ./slosh problem rigid_rotation --quick --output rigid_rotation.json");
 }
 
 std::string suggestion(const CLI::App& app, const std::vector<std::string>& words) {

@@ -154,7 +154,7 @@ void add_list_command(const CommandTree& tree) {
       tree,
       {"list",
        "Lists campaigns, cases and their runs, and problems",
-       {"./slosh list", "./slosh list 'li2010_*/recommended_*' kernels",
+       {"./slosh list", "./slosh list 'li2010_*/recommended_*' rigid_rotation",
         "./slosh list --tag small_amplitude --json", "./slosh list 'extreme_*' --names runs"}},
       [options, &installation = tree.installation] { return list(*options, installation); });
   command

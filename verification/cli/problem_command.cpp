@@ -89,7 +89,7 @@ void add_problem_command(const CommandTree& tree) {
       tree,
       {"problem",
        "Solves one verification problem and writes its errors at each resolution",
-       {"./slosh problem kernels --quick"}},
+       {"./slosh problem rigid_rotation --quick"}},
       [options, &installation = tree.installation] { return run_problem(*options, installation); });
   command.add_option("name", options->problem, "A problem of `slosh list`")
       ->type_name(problem_type)

@@ -12,13 +12,9 @@ namespace slosh {
 
 const std::vector<Problem>& all_problems() {
   static const std::vector<Problem> problems{
-      kernels_problem(),          manufactured_operators_problem(),
-      taylor_green_problem(),     oscillating_drop_problem(),
-      rigid_rotation_problem(),   uniform_translation_problem(),
-      wall_impulse_problem(),     mirror_symmetry_problem(),
-      courant_map_problem(),      viscosity_map_problem(),
-      gamma_map_problem(),        diffusion_map_problem(),
-      lattice_buckling_problem(), lattice_resistance_problem(),
+      taylor_green_problem(),     oscillating_drop_problem(), rigid_rotation_problem(),
+      courant_map_problem(),      viscosity_map_problem(),    gamma_map_problem(),
+      diffusion_map_problem(),    lattice_buckling_problem(), lattice_resistance_problem(),
       interval_coverage_problem()};
   return problems;
 }

@@ -19,14 +19,9 @@ const Problem& find_problem(const std::string& name);
 std::vector<KnownProblem> known_problems();
 
 // Each problem, with its statement and measures.
-Problem kernels_problem();
-Problem manufactured_operators_problem();
 Problem taylor_green_problem();
 Problem oscillating_drop_problem();
 Problem rigid_rotation_problem();
-Problem uniform_translation_problem();
-Problem wall_impulse_problem();
-Problem mirror_symmetry_problem();
 Problem courant_map_problem();
 Problem viscosity_map_problem();
 Problem gamma_map_problem();

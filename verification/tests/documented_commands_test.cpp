@@ -134,7 +134,7 @@ const std::vector<CommandRun> runs{
     {{"show", "./small.toml", "-o", "small.png"}},
     {{"show", "./small.toml", "-o", "small.html", "--quantity", "elevation@right"}},
     {{"converge", "./small.toml", "--family", "recommended", "--spacings", "0.07,0.05,0.035"}},
-    {{"problem", "kernels", "--quick", "-o", "kernels.json"}},
+    {{"problem", "gamma_map", "--quick", "-o", "gamma_map.json"}},
     {{"campaign", here, "-o", out, "--dry-run"}},
     {{"campaign", here, "-o", out, "-j", "1"}},
     {{"campaign", here, "-o", out, "--quick"}},

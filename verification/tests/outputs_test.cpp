@@ -343,7 +343,7 @@ TEST_F(Outputs, RefuseEmptyPathsByTheNameOfTheOption) {
                          {"--output", "report", "./surges.toml", "--output="},
                          {"--output", "case", "./small.toml", "--for", "csv", "-o", ""},
                          {"--output", "new", "other", "--like", "./small.toml", "-o", ""},
-                         {"--output", "problem", "kernels", "-o", ""},
+                         {"--output", "problem", "rigid_rotation", "-o", ""},
                          {"--ledger", "gate", "./surges.toml", "--ledger", ""},
                          {"--ledger", "baseline", "approve", "./surges.toml", "--ledger", "",
                           "--new", "--who", "a", "--reason", "b"},

@@ -63,18 +63,18 @@ TEST_F(ToolSelection, RefusesAPatternThatMatchesNothingBeforeAnyRunIsSetUp) {
 }
 
 TEST_F(ToolSelection, RunsAProblemWithoutTheOthersAndTheCases) {
-  const Ended run = tool({"campaign", "verification", "--only", "mirror_symmetry", "-o", "out"});
+  const Ended run = tool({"campaign", "verification", "--only", "rigid_rotation", "-o", "out"});
   EXPECT_EQ(run.status, 0) << run.err << run.out;
-  EXPECT_TRUE(fs::exists(directory() / "out/problems/mirror_symmetry.json"));
-  EXPECT_FALSE(fs::exists(directory() / "out/problems/kernels.json"));
+  EXPECT_TRUE(fs::exists(directory() / "out/problems/rigid_rotation.json"));
+  EXPECT_FALSE(fs::exists(directory() / "out/problems/taylor_green.json"));
   EXPECT_FALSE(fs::exists(directory() / "out/runs"));
 }
 
 TEST_F(ToolSelection, ListsWhatPatternsAndTagsNameAsTextJsonOrNames) {
-  const Ended text = tool({"list", "li2010_large_*/recommended_10mm", "kernels"});
+  const Ended text = tool({"list", "li2010_large_*/recommended_10mm", "rigid_rotation"});
   EXPECT_TRUE(holds(text.out, "  li2010_large_b075 "));
   EXPECT_TRUE(holds(text.out, "      recommended_10mm\n"));
-  EXPECT_TRUE(holds(text.out, "problems:\n  kernels "));
+  EXPECT_TRUE(holds(text.out, "problems:\n  rigid_rotation "));
   EXPECT_EQ(text.out.find("linear"), std::string::npos);
   EXPECT_EQ(text.out.find("campaigns:"), std::string::npos);
   const auto json = nlohmann::json::parse(tool({"list", "--tag", "ramp", "--json"}).out);

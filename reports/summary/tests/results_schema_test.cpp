@@ -53,9 +53,9 @@ json whole_document() {
   bounded.gate[1].improves_on = "particles";
   bounded.gate[1].candidate = "coarse_mesh";
   bounded.gate[1].reference = "theory_with_gas";
-  const ProblemGateRow order{"gradient", ProblemMetric::order_at_least, "1", 1.9, {}, "a", "b", {}};
+  const ProblemGateRow order{"velocity", ProblemMetric::order_at_least, "1", 1.9, {}, "a", "b", {}};
   ProblemRun run{{RunState::finished, ""}, ProblemResult{}};
-  run.result->outcome.measures = {{"gradient", {{0.1, 0.01}, {0.05, 0.0025}}}, {"none", {}}};
+  run.result->outcome.measures = {{"velocity", {{0.1, 0.01}, {0.05, 0.0025}}}, {"none", {}}};
   run.result->provenance = {{"command", "./slosh problem"}};
   const RunFailure failure{"killed", "out of memory", "step 7", "fine_mesh.log"};
   const ProblemRun failed{{RunState::failed, "killed", failure}, {}};
@@ -66,7 +66,7 @@ json whole_document() {
       {assess(surge_case(), surge_runs()), assess(bounded, surge_runs()),
        assess(surge_case(), surge_runs_with("particles", broken)), assess(surge_case(), diverged),
        assess(surge_case(), surge_runs_without("theory", RunState::not_supplied, "nowhere"))},
-      {assess(ProblemDefinition{"manufactured_operators", {order}}, run),
+      {assess(ProblemDefinition{"rigid_rotation", {order}}, run),
        assess(ProblemDefinition{"taylor_green", {order}}, failed)},
       "li2010"));
 }

@@ -26,7 +26,7 @@ std::vector<ErrorAtStep> second_order(double factor = 1) {
 }
 
 ProblemGateRow row_on(ProblemMetric metric, double limit) {
-  return {"gradient", metric, "1", limit, {}, "", "", {"trial.toml", 7}};
+  return {"velocity", metric, "1", limit, {}, "", "", {"trial.toml", 7}};
 }
 ProblemGateRow order_row(double lower, double upper) {
   ProblemGateRow row = row_on(ProblemMetric::order_within, 0);
@@ -37,8 +37,8 @@ ProblemGateRow order_row(double lower, double upper) {
 
 ProblemRun run_with(std::vector<ErrorAtStep> errors) {
   ProblemResult result;
-  result.problem = "manufactured_operators";
-  result.outcome.measures = {{"gradient", std::move(errors)}};
+  result.problem = "taylor_green";
+  result.outcome.measures = {{"velocity", std::move(errors)}};
   return {{RunState::finished, ""}, std::move(result)};
 }
 
@@ -92,17 +92,17 @@ TEST(ProblemGate, ComparesNothingWithoutErrorsOrWithTooFewForAnOrder) {
   for (const std::size_t i : {0u, 1u})
     EXPECT_EQ(verdict(rows[i], {{0.2, 0.04}, {0.1, 0.01}, {0.05, 0}}), Verdict::not_compared);
   ProblemGateRow other = rows[0];
-  other.measure = "divergence";
+  other.measure = "decay_rate";
   EXPECT_EQ(verdict(other, second_order()), Verdict::not_compared);
 }
 
-const ProblemDefinition operators{"manufactured_operators", rows};
+const ProblemDefinition eddy{"taylor_green", rows};
 
 TEST(ProblemAssessment, CountsInTheExitStatusAndTheVerdictSentence) {
-  const ProblemAssessment good = assess(operators, run_with(second_order())),
-                          bad = assess(operators, run_with(second_order(1.05))),
-                          failed = assess(operators, {{RunState::failed, "exit status 3"}, {}}),
-                          missing = assess(operators, {{RunState::missing, "not there"}, {}});
+  const ProblemAssessment good = assess(eddy, run_with(second_order())),
+                          bad = assess(eddy, run_with(second_order(1.05))),
+                          failed = assess(eddy, {{RunState::failed, "exit status 3"}, {}}),
+                          missing = assess(eddy, {{RunState::missing, "not there"}, {}});
   EXPECT_EQ(exit_status({}, {good}), exit_pass);
   EXPECT_EQ(exit_status({}, {good, bad}), exit_violated);
   EXPECT_EQ(exit_status({}, {good, failed, bad}), exit_solver_failed);
@@ -118,7 +118,7 @@ TEST(ProblemAssessment, CountsInTheExitStatusAndTheVerdictSentence) {
 ProblemRun whole_run() {
   ProblemRun run = run_with(second_order());
   run.result->outcome.measures.clear();
-  for (const MeasureKind& kind : find_problem("manufactured_operators").measures)
+  for (const MeasureKind& kind : find_problem("taylor_green").measures)
     run.result->outcome.measures.push_back({kind.name, second_order()});
   return run;
 }
@@ -128,7 +128,7 @@ TEST(ProblemAssessment, IsASectionOfTheReportWithItsErrorsAndLimits) {
   campaign.name = campaign.title = "trial";
   campaign.source = "none";
   const reports::Report report =
-      campaign_report(campaign, false, "./slosh", {}, {assess(operators, whole_run())});
+      campaign_report(campaign, false, "./slosh", {}, {assess(eddy, whole_run())});
   EXPECT_NO_THROW(reports::check_report(report));
   EXPECT_EQ(report.outcome, reports::Outcome::pass);
   ASSERT_EQ(report.sections.size(), 3u);
@@ -138,9 +138,9 @@ TEST(ProblemAssessment, IsASectionOfTheReportWithItsErrorsAndLimits) {
   EXPECT_EQ(report.pages[0].id, "problems");
   const reports::Section& section = report.sections[2];
   EXPECT_EQ(section.page, "problems");
-  EXPECT_EQ(section.id, "problem-manufactured_operators");
+  EXPECT_EQ(section.id, "problem-taylor_green");
   ASSERT_EQ(section.tables.size(), 2u);
-  EXPECT_EQ(section.tables[0].rows.size(), find_problem("manufactured_operators").measures.size());
+  EXPECT_EQ(section.tables[0].rows.size(), find_problem("taylor_green").measures.size());
   EXPECT_EQ(section.tables[0].rows[0].at(4), "0.04; -0.01; 0.0025");
   EXPECT_EQ(section.tables[0].rows[0].at(7), "2.00");
   EXPECT_FALSE(section.figures.empty());
@@ -149,10 +149,10 @@ TEST(ProblemAssessment, IsASectionOfTheReportWithItsErrorsAndLimits) {
 
 TEST(ProblemAssessment, IsInTheJsonWithItsErrorsAndVerdicts) {
   const auto document =
-      nlohmann::json::parse(results_json("trial", false, {}, {assess(operators, whole_run())}));
+      nlohmann::json::parse(results_json("trial", false, {}, {assess(eddy, whole_run())}));
   EXPECT_EQ(document.at("exit_status"), 0);
   const auto& problem = document.at("problems").at(0);
-  EXPECT_EQ(problem.at("name"), "manufactured_operators");
+  EXPECT_EQ(problem.at("name"), "taylor_green");
   EXPECT_EQ(problem.at("state"), "finished");
   EXPECT_EQ(problem.at("measures").at(0).at("errors").at(1).at("error"), -0.01);
   EXPECT_NEAR(problem.at("measures").at(0).at("order"), 2, 1e-12);

@@ -345,12 +345,12 @@ TEST(BaselineDiff, ProposesTheTermsOfRowsThatHaveNotChanged) {
 
 TEST(BaselineDiff, KnowsTheRowsOfProblems) {
   ProblemAssessment problem{};
-  problem.definition.name = "kernels";
+  problem.definition.name = "rigid_rotation";
   problem.gate = {{{"moment", ProblemMetric::error_at_finest, "1", 0.1, {}, "", "", {}},
                    Verdict::pass,
                    1e-9,
                    ""}};
-  const std::string row = "kernels: error_at_finest of moment";
+  const std::string row = "rigid_rotation: error_at_finest of moment";
   const std::vector<CaseAssessment> none;
   const std::vector<ProblemAssessment> problems{problem};
   const auto found = movements({}, {none, problems});

@@ -133,16 +133,16 @@ TEST(RunSelection, LetsNoStarReachAcrossASlash) {
 }
 
 TEST(RunSelection, TakesProblemsByNameAndNoneByTag) {
-  EXPECT_TRUE(names_problem({}, "kernels"));
-  EXPECT_TRUE(names_problem({.only = {"tank", "kern*"}}, "kernels"));
-  EXPECT_FALSE(names_problem({.only = {"tank"}}, "kernels"));
-  EXPECT_FALSE(names_problem({.tags = {"small"}}, "kernels"));
+  EXPECT_TRUE(names_problem({}, "rigid_rotation"));
+  EXPECT_TRUE(names_problem({.only = {"tank", "rigid*"}}, "rigid_rotation"));
+  EXPECT_FALSE(names_problem({.only = {"tank"}}, "rigid_rotation"));
+  EXPECT_FALSE(names_problem({.tags = {"small"}}, "rigid_rotation"));
 }
 
 std::string refusal(const RunSelection& selection) {
   const std::vector<CaseDefinition> cases{tank()};
   try {
-    require_matches(selection, {cases, {"kernels"}});
+    require_matches(selection, {cases, {"rigid_rotation"}});
   } catch (const CaseFileError& error) {
     return error.what();
   }
@@ -150,10 +150,10 @@ std::string refusal(const RunSelection& selection) {
 }
 
 TEST(RunSelection, RefusesWhatMatchesNothingAndNamesTheNearest) {
-  EXPECT_EQ(refusal({.only = {"tank", "tank/f*", "kern*"}, .tags = {"small"}}), "");
+  EXPECT_EQ(refusal({.only = {"tank", "tank/f*", "rigid*"}, .tags = {"small"}}), "");
   EXPECT_EQ(refusal({.only = {"tunk"}}),
             "tunk matches nothing: expected a pattern that matches a name or a CASE/RUN; nearest: "
-            "tank, kernels");
+            "tank, rigid_rotation");
   EXPECT_NE(refusal({.only = {"tank/fin"}}).find("nearest: tank/fine, "), std::string::npos);
   EXPECT_NE(refusal({.only = {"tanc/fine"}}).find("nearest: tank"), std::string::npos);
   EXPECT_EQ(refusal({.tags = {"smal"}}),

@@ -130,7 +130,7 @@ void add_campaign_command(const CommandTree& tree) {
       {"campaign",
        "Runs a campaign's cases, compares, reports and gates",
        {"./slosh campaign " + std::string(example_run),
-        "./slosh campaign verification --only kernels -o problems",
+        "./slosh campaign verification --only rigid_rotation -o problems",
         "./slosh campaign small_amplitude --dry-run"}},
       [judge](const CampaignOptions& options) { return judge(options, true); });
   add_selection_options(*campaign, campaign_options->selection);

@@ -1,6 +1,6 @@
 // The pair sums on fields whose derivatives are known: right ones have their order, and ones that
 // are wrong by a twentieth fail the gate.
-#include "verification/problems/operator_errors.hpp"
+#include "verification/problems/tests/operator_errors.hpp"
 
 #include <gtest/gtest.h>
 

@@ -17,10 +17,10 @@ namespace {
 
 ProblemResult sample() {
   ProblemResult result;
-  result.problem = "kernels";
+  result.problem = "rigid_rotation";
   result.quick = true;
   result.key = "1-2";
-  result.provenance = {{"command", "./slosh problem kernels"}};
+  result.provenance = {{"command", "./slosh problem rigid_rotation"}};
   result.cost.user_time = 1.5;
   result.outcome.measures = {
       {"slope", {{0.1, 1.0 / 3}, {0.05, std::numeric_limits<double>::quiet_NaN()}}}};
@@ -48,7 +48,7 @@ class ProblemResultFile : public ::testing::Test {
 TEST_F(ProblemResultFile, IsReadAsItWasWritten) {
   write_problem_result(sample(), file());
   const ProblemResult read = read_problem_result(file());
-  EXPECT_EQ(read.problem, "kernels");
+  EXPECT_EQ(read.problem, "rigid_rotation");
   EXPECT_TRUE(read.quick);
   EXPECT_EQ(read.key, "1-2");
   EXPECT_EQ(read.provenance, sample().provenance);
@@ -82,15 +82,15 @@ TEST_F(ProblemResultFile, IsKeyedByProblemFormAndBuild) {
   const std::filesystem::path& builds = temporary_.path();
   std::ofstream(builds / "problems") << "one";
   std::ofstream(builds / "metric_problems") << "one";
-  const Problem &kernels = find_problem("kernels"), &coverage = find_problem("interval_coverage");
-  const std::string key = problem_key(kernels, true, builds),
+  const Problem &rotation = find_problem("rigid_rotation"), &coverage = find_problem("interval_coverage");
+  const std::string key = problem_key(rotation, true, builds),
                     of_metrics = problem_key(coverage, true, builds);
-  EXPECT_EQ(key, problem_key(kernels, true, builds));
-  EXPECT_FALSE(asks_the_same(key, problem_key(kernels, false, builds)));
+  EXPECT_EQ(key, problem_key(rotation, true, builds));
+  EXPECT_FALSE(asks_the_same(key, problem_key(rotation, false, builds)));
   EXPECT_FALSE(asks_the_same(key, problem_key(find_problem("taylor_green"), true, builds)));
   std::ofstream(builds / "problems") << "two";
-  EXPECT_NE(key, problem_key(kernels, true, builds));
-  EXPECT_TRUE(asks_the_same(key, problem_key(kernels, true, builds)));
+  EXPECT_NE(key, problem_key(rotation, true, builds));
+  EXPECT_TRUE(asks_the_same(key, problem_key(rotation, true, builds)));
   EXPECT_EQ(of_metrics, problem_key(coverage, true, builds));
   std::ofstream(builds / "metric_problems") << "two";
   EXPECT_NE(of_metrics, problem_key(coverage, true, builds));
