@@ -3,7 +3,7 @@
 // a rectangle as long as the still surface, of the fill depth or, for another section, of the depth
 // that has the section's first natural frequency. The motion is scaled so that the linear waves
 // have the height of linear theory at the right wall. Against nonlinear potential flow, rms, in
-// rectangles of depths of 0.1 to 1 length: in standing waves up to k A = 0.2 and in surges the
+// rectangles of depths of 0.2 to 1 length: in standing waves up to k A = 0.2 and in surges the
 // estimate is 0.8 to 1.25 times the truth for elevations, velocities, pressures and forces; in
 // rolls of up to 0.08 it is 0.7 to 2.5 times where the truth exceeds a thousandth of the series
 // (tests/beyond_linear_test.cpp).
