@@ -11,9 +11,11 @@
 #include "verification/case/changed_input.hpp"
 #include "verification/case/metric_table.hpp"
 #include "verification/case/motion.hpp"
+#include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/runs/run_case.hpp"
+#include "verification/solvers/theory/natural_frequencies.hpp"
 
 namespace slosh {
 namespace {
@@ -39,6 +41,53 @@ bool is_open(const RunStatus& status) {
   return status.state == RunState::failed || status.state == RunState::missing;
 }
 
+// The number of half waves of the shortest wave that carries much: that of the initial wave, or
+// the one that the fastest part of the motion is nearest to.
+int half_waves(const CaseDefinition& definition) {
+  double fastest = 0;
+  for (const ForcedMode& mode : forced_modes(definition))
+    fastest = std::max(fastest, mode.angular_frequency);
+  constexpr int most_in_rectangle = 64;
+  const std::vector<double> natural =
+      natural_frequencies(definition, is_rectangle(definition.tank) ? most_in_rectangle : 1);
+  const auto slower =
+      std::count_if(natural.begin(), natural.end(), [=](double one) { return one < fastest; });
+  return std::max(1 + static_cast<int>(slower),
+                  definition.initial_wave ? definition.initial_wave->mode : 1);
+}
+
+// The change of an input within which the response repeats itself: a whole turn of the start, a
+// wave's length, or what moves the phase at the window's end by a turn. That to the others is
+// monotone.
+double repeats_after(const CaseDefinition& definition, Input input) {
+  const int waves = half_waves(definition);
+  const auto turns_at = [&](double frequency) {  // by the window's end
+    return std::max(1.0, definition.window_end * frequency / (2 * std::numbers::pi));
+  };
+  const auto natural_turns = [&] {
+    const std::vector<double> natural = natural_frequencies(definition, waves);
+    return turns_at(natural.empty() ? 0 : natural.back());
+  };
+  switch (input) {
+    case Input::start_phase:
+      return 360;
+    case Input::sensor_position:
+      return 2 * definition.tank.length / waves;
+    case Input::period:
+      return 2 * std::numbers::pi / forcing_frequency(definition) /
+             turns_at(forcing_frequency(definition));
+    case Input::fill_depth:  // d omega / omega <= dh / 2 h
+      return 2 * definition.liquid.fill_depth / natural_turns();
+    case Input::gravity:  // d omega / omega = dg / 2 g
+      return 2 * definition.gravity / natural_turns();
+    case Input::amplitude:
+    case Input::density:
+    case Input::kinematic_viscosity:
+      break;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
 // Throws ComparisonError where the input's bounds are not predicted.
 const InputBounds& bounds_of(const CaseDefinition& definition, const CaseRuns& runs,
                              const InputUncertainty& one) {
@@ -55,30 +104,29 @@ const InputBounds& bounds_of(const CaseDefinition& definition, const CaseRuns& r
             "computed at both");
 }
 
-// Where the response turns between the bounds, theory shows it at these shares of the half width,
-// which no whole number of periods hits all.
-constexpr double between_bounds[] = {-0.618, 0.382};
+// Two runs at the bounds show a response that turns only where they are so near.
+constexpr double most_for_two_runs = 1.0 / 20;
+// Theory is asked so often while the response repeats itself once.
+constexpr double places_of_a_repeat = 32;
 
-// Two runs at the bounds do not show it: their half width may be a twentieth of what the response
-// can turn within. That to the others is monotone.
-double turns_within(const CaseDefinition& definition, Input input) {
-  switch (input) {
-    case Input::fill_depth:
-      return definition.liquid.fill_depth;
-    case Input::period:
-      return 2 * std::numbers::pi / forcing_frequency(definition);
-    case Input::gravity:
-      return definition.gravity;
-    case Input::sensor_position:
-      return definition.tank.length;
-    case Input::start_phase:
-      return 360;
-    case Input::amplitude:
-    case Input::density:
-    case Input::kinematic_viscosity:
-      break;
-  }
-  return std::numeric_limits<double>::infinity();
+// The changes of the input that theory shows beside the bounds of its half width: as many as the
+// response needs, up to one that repeats itself once. A start that may be anywhere is half a turn
+// wide. Throws ComparisonError for any other input that wide.
+std::vector<double> between_bounds(const CaseDefinition& definition, const InputUncertainty& one) {
+  const double repeat = repeats_after(definition, one.input);
+  const bool is_anywhere = one.half_width > repeat / 2;
+  if (is_anywhere && one.input != Input::start_phase)
+    throw ComparisonError(fmt::format(
+        "its half width of {:.4g} {unit} holds more than {:.4g} {unit}, within which the waves "
+        "repeat "
+        "themselves",
+        one.half_width, repeat / 2, fmt::arg("unit", input_unit(one.input, definition.motion))));
+  const double half = is_anywhere ? repeat / 2 : one.half_width;
+  const int steps = static_cast<int>(std::ceil(2 * half / repeat * places_of_a_repeat));
+  std::vector<double> changes;
+  for (int i = is_anywhere ? 0 : 1; i < steps; ++i)
+    if (2 * i != steps) changes.push_back(half * (2.0 * i / steps - 1));
+  return changes;
 }
 
 // The largest change of the metric from its own value, between each prediction and the case as it
@@ -98,7 +146,8 @@ double largest_change(const CaseDefinition& definition, const CaseRuns& runs,
   };
   constexpr double turn = 360;
   double largest = 0;
-  if (bounds.between.empty() && one.half_width > turns_within(definition, one.input) / 20)
+  if (bounds.between.empty() &&
+      one.half_width > repeats_after(definition, one.input) * most_for_two_runs)
     throw ComparisonError(
         "two runs at the bounds of so wide an interval do not show how the metric turns between");
   std::vector<const RunResult*> all{&bounds.lower, &bounds.upper};
@@ -122,15 +171,14 @@ void predict_input_bounds(const CaseDefinition& definition, CaseRuns& runs) {
   if (!is_needed || !theory) return;
   for (const InputUncertainty& one : definition.inputs) {
     try {
-      runs.input_bounds[one.input] = {predicted(definition, *theory, one.input, -one.half_width),
-                                      predicted(definition, *theory, one.input, one.half_width),
-                                      {},
-                                      theory->name};
-      for (const double share : between_bounds)
-        runs.input_bounds[one.input].between.push_back(
-            predicted(definition, *theory, one.input, share * one.half_width));
+      const auto at = [&](double change) {
+        return predicted(definition, *theory, one.input, change);
+      };
+      const std::vector<double> between = between_bounds(definition, one);
+      InputBounds bounds{at(-one.half_width), at(one.half_width), {}, theory->name};
+      for (const double change : between) bounds.between.push_back(at(change));
+      runs.input_bounds[one.input] = std::move(bounds);
     } catch (const std::exception& error) {
-      runs.input_bounds.erase(one.input);
       runs.not_predicted[one.input] = error.what();
     }
   }

@@ -3,9 +3,13 @@
 //   u_input^2 = sum over inputs of max over s of |m(x + s u) - m(x)|^2
 // u is the half width that the case declares for the input x, and m is the row's metric, measured
 // with a prediction for the tank with that input in the place of the candidate, at both bounds, s =
-// -1 and 1, and of theory at two places between them too, where a periodic response turns. Runs
-// are made at the bounds alone, so that their interval must be short (a twentieth of what the
-// response turns within). A central difference would be zero where m is a magnitude, such as
+// -1 and 1, and of theory at as many places between them as a periodic response needs: 32 while it
+// repeats itself once. It does so within a turn of the start's phase, a length of the shortest wave
+// that carries much, and what turns the phase at the window's end once of a period, a depth or
+// gravity. A start that is wider than half a turn may be anywhere; any other input that is wider
+// than half a repeat has no known effect, as no such number of places shows it. Runs
+// are made at the bounds alone, so that their interval must be short (a twentieth of a
+// repeat). A central difference would be zero where m is a magnitude, such as
 // normalised_rms, with its least value at x. The prediction comes from the case's first theory of
 // the liquid alone that is inside its range, otherwise from the input's coarse run, repeated at
 // both bounds. The difference of two coarse runs includes their scatter: where the flow is chaotic

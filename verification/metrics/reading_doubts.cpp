@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace slosh {
 namespace {
@@ -17,22 +16,23 @@ bool may_rest(const FlatExtreme& flat, const SensorReadings& of) {
   });
 }
 
-void add_flat(const SensorReadings& of, const std::optional<FlatExtreme>& flat, const char* which,
+void add_flat(const SensorReadings& of, const FlatExtreme& flat, const char* which,
               std::vector<std::string>& doubts) {
-  // A flat of few steps follows from them.
-  if (!flat || of.limits.step || may_rest(*flat, of)) return;
   doubts.push_back(fmt::format(
       "the {} stays at its {} value, {:.4g} {}, from {:.4g} to {:.4g} s, which cuts off "
       "some {:.2g} {}",
-      of.role, which, flat->value, of.unit, flat->begin, flat->end, flat->hidden, of.unit));
+      of.role, which, flat.value, of.unit, flat.begin, flat.end, flat.hidden, of.unit));
 }
 
 }  // namespace
 
 std::vector<std::string> flat_doubts(const SensorReadings& of) {
   std::vector<std::string> doubts;
-  add_flat(of, of.limits.highest, "highest", doubts);
-  add_flat(of, of.limits.lowest, "lowest", doubts);
+  const auto& [range, step, highest, lowest] = of.limits;
+  // A pressure rests at its lowest value alone.
+  if (highest && (of.unit == "Pa" || !may_rest(*highest, of)))
+    add_flat(of, *highest, "highest", doubts);
+  if (lowest && !may_rest(*lowest, of)) add_flat(of, *lowest, "lowest", doubts);
   return doubts;
 }
 

@@ -1,6 +1,7 @@
 // What is doubtful about the readings of a series (sensor_limits.hpp), in sentences. A flat is no
 // doubt where the quantity rests: at the bottom or the roof, or at the zero of a pressure or of a
-// wall's load that falls dry.
+// wall's load that falls dry. A pressure rests at its lowest value alone: a crest that reads 0 is
+// cut off.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 #include "verification/series/sensor_limits.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,11 +10,13 @@ namespace slosh {
 namespace {
 
 constexpr int most_steps = 100;
-constexpr double on_levels = 0.9;       // of the samples
-constexpr double off_level = 0.01;      // [steps] by rounding
-constexpr double least_hidden = 0.015;  // of the range
-constexpr double jitter = 1e-3;         // of the range
-constexpr std::size_t most_sampled = 20000, fewest_in_flat = 3;
+constexpr double on_levels = 0.9;                                 // of the samples
+constexpr double off_level = 0.01;                                // [steps] by rounding
+constexpr double least_hidden = 0.015;                            // of the range
+constexpr double bands[] = {1e-3, 3e-3, 0.01, 0.02, 0.04, 0.08};  // of the range
+constexpr double most_of_round = 0.2;  // of what a round crest falls by inside
+constexpr double standard_errors = 2.5;
+constexpr std::size_t most_sampled = 20000, fewest_in_flat = 3, fewest_fitted = 6;
 
 // The values that are read more than once, in order; empty where too few samples have them.
 std::vector<double> repeated_values(const std::vector<double>& values) {
@@ -57,32 +60,81 @@ double value_at(const TimeSeries& series, double time) {
   return std::lerp(series.value[i - 1], series.value[i], share);
 }
 
-// The flat of the samples from first to last, whose edges lie between these and their neighbours;
-// nullopt where it reaches an end of the series.
-std::optional<FlatExtreme> flat_of(const TimeSeries& series, double extreme, std::size_t first,
-                                   std::size_t last) {
+// The samples of a crest that lie within a band of the extreme.
+struct Top {
+  FlatExtreme flat;
+  double fall, variance;  // of the parabola through them, from its middle to its ends
+};
+
+// By least squares; the whole band and no variance of few samples.
+void fit_parabola(const TimeSeries& series, std::size_t first, std::size_t last, double band,
+                  Top& top) {
+  const std::size_t count = last - first + 1;
+  top.fall = band;
+  top.variance = 0;
+  if (count < fewest_fitted) return;
+  const double middle = (top.flat.begin + top.flat.end) / 2, half = top.flat.end - middle;
+  Eigen::MatrixX3d powers(count, 3);
+  Eigen::VectorXd values(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = (series.time[first + i] - middle) / half;
+    const auto row = static_cast<Eigen::Index>(i);
+    powers.row(row) << 1, x, x * x;
+    values[row] = series.value[first + i] - top.flat.value;
+  }
+  const Eigen::Matrix3d inverse = (powers.transpose() * powers).inverse();
+  const Eigen::Vector3d found = inverse * (powers.transpose() * values);
+  top.fall = std::abs(found[2]);
+  top.variance =
+      (values - powers * found).squaredNorm() / static_cast<double>(count - 3) * inverse(2, 2);
+}
+
+// Whose edges lie between the samples from first to last and their neighbours; nullopt where it
+// reaches an end of the series.
+std::optional<Top> top_of(const TimeSeries& series, double band, std::size_t first,
+                          std::size_t last) {
   const std::vector<double>& time = series.time;
   if (first == 0 || last + 1 == time.size()) return std::nullopt;
   const double begin = (time[first - 1] + time[first]) / 2, end = (time[last] + time[last + 1]) / 2,
                half = (end - begin) / 2;
-  if (begin - half <= series.time.front() || end + half >= series.time.back()) return std::nullopt;
-  const double drop = std::min(std::abs(value_at(series, begin - half) - extreme),
-                               std::abs(value_at(series, end + half) - extreme));
-  return FlatExtreme{extreme, begin, end, drop / 3};
+  if (begin - half <= time.front() || end + half >= time.back()) return std::nullopt;
+  std::vector<double> inside(series.value.begin() + static_cast<std::ptrdiff_t>(first),
+                             series.value.begin() + static_cast<std::ptrdiff_t>(last + 1));
+  const auto middle = inside.begin() + static_cast<std::ptrdiff_t>(inside.size() / 2);
+  std::nth_element(inside.begin(), middle, inside.end());
+  const double drop = std::min(std::abs(value_at(series, begin - half) - *middle),
+                               std::abs(value_at(series, end + half) - *middle));
+  Top top{{*middle, begin, end, drop / 3}, 0, 0};
+  fit_parabola(series, first, last, band, top);
+  return top;
 }
 
-// Of all flats at the extreme the one that hides most.
-std::optional<FlatExtreme> flat_extreme(const TimeSeries& series, double extreme, double range) {
+// The flat that hides most, where all crests that reach the band are flat together. Within a step
+// of the sensor nothing is known of their fall.
+std::optional<FlatExtreme> flat_within(const TimeSeries& series, double extreme, double band,
+                                       double range, double step) {
   std::optional<FlatExtreme> worst;
+  double hidden = 0, fall = 0, variance = 0;
   for (std::size_t i = 0; i < series.value.size(); ++i) {
     const std::size_t first = i;
-    while (i < series.value.size() && std::abs(series.value[i] - extreme) <= jitter * range) ++i;
+    while (i < series.value.size() && std::abs(series.value[i] - extreme) <= band) ++i;
     if (i - first < fewest_in_flat) continue;
-    const std::optional<FlatExtreme> flat = flat_of(series, extreme, first, i - 1);
-    if (flat && flat->hidden >= least_hidden * range && !(worst && worst->hidden >= flat->hidden))
-      worst = flat;
+    const std::optional<Top> top = top_of(series, band, first, i - 1);
+    if (!top || top->flat.hidden < least_hidden * range) continue;
+    hidden += top->flat.hidden;
+    fall += std::max(top->fall, step);
+    variance += top->variance;
+    if (!(worst && worst->hidden >= top->flat.hidden)) worst = top->flat;
   }
-  return worst;
+  const bool is_flat = fall + standard_errors * std::sqrt(variance) <= most_of_round * hidden;
+  return is_flat ? worst : std::nullopt;
+}
+
+std::optional<FlatExtreme> flat_extreme(const TimeSeries& series, double extreme, double range,
+                                        double step) {
+  for (const double band : bands)
+    if (auto flat = flat_within(series, extreme, band * range, range, step)) return flat;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -92,8 +144,9 @@ SensorLimits sensor_limits(const TimeSeries& cut) {
   const auto [low, high] = std::minmax_element(cut.value.begin(), cut.value.end());
   const double range = *high - *low;
   if (!(range > 0)) return {};
-  return {range, step_of(cut.value), flat_extreme(cut, *high, range),
-          flat_extreme(cut, *low, range)};
+  const std::optional<double> step = step_of(cut.value);
+  return {range, step, flat_extreme(cut, *high, range, step.value_or(0)),
+          flat_extreme(cut, *low, range, step.value_or(0))};
 }
 
 }  // namespace slosh

@@ -45,59 +45,32 @@ std::vector<double> pressure_on_sensor(const LinearFlow& flow, const TankDefinit
   return mean;
 }
 
-// The series of linear theory, and at which place the surface stands for each of them.
-struct LinearSeries {
-  std::vector<TimeSeries> all;
-  std::vector<double> x;  // NaN: forces, for which the two ends of the surface stand
-};
-
-LinearSeries series_of(const LinearFlow& flow, const CaseDefinition& definition) {
+std::vector<TimeSeries> series_of(const LinearFlow& flow, const CaseDefinition& definition) {
   const std::vector<double> times = sample_times(definition);
-  LinearSeries series;
-  const auto add = [&](double x, const std::string& name, const char* unit,
-                       std::vector<double> values) {
-    series.all.push_back({name, unit, times, std::move(values)});
-    series.x.push_back(x);
+  std::vector<TimeSeries> series;
+  const auto add = [&](const std::string& name, const char* unit, std::vector<double> values) {
+    series.push_back({name, unit, times, std::move(values)});
   };
   for (const GaugeDefinition& gauge : definition.gauges)
-    add(gauge.x, "elevation@" + gauge.name, "m", flow.elevation(gauge.x));
+    add("elevation@" + gauge.name, "m", flow.elevation(gauge.x));
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     if (is_under_still_water(definition, gauge))
-      add(sensor_middle(definition.tank, gauge).x, wall_pressure(gauge.name), "Pa",
-          pressure_on_sensor(flow, definition.tank, gauge));
+      add(wall_pressure(gauge.name), "Pa", pressure_on_sensor(flow, definition.tank, gauge));
   for (const ProbeDefinition& probe : definition.probes) {
     if (!(probe.z < definition.liquid.fill_depth)) continue;
     const Corner place{probe.x, probe.z};
-    add(probe.x, "velocity_x@" + probe.name, "m/s", flow.velocity_x(place));
-    add(probe.x, "velocity_z@" + probe.name, "m/s", flow.velocity_z(place));
-    add(probe.x, "pressure@" + probe.name, "Pa", flow.pressure(place));
+    add("velocity_x@" + probe.name, "m/s", flow.velocity_x(place));
+    add("velocity_z@" + probe.name, "m/s", flow.velocity_z(place));
+    add("pressure@" + probe.name, "Pa", flow.pressure(place));
   }
-  add(not_a_number, "force_x", "N/m", flow.force_x());
-  if (flow.has_moment()) add(not_a_number, "moment", "N", flow.moment());
+  add("force_x", "N/m", flow.force_x());
+  if (flow.has_moment()) add("moment", "N", flow.moment());
   return series;
-}
-
-// The standard deviation.
-double scatter(const std::vector<double>& values) {
-  double mean = 0, squares = 0;
-  for (const double value : values) mean += value / static_cast<double>(values.size());
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
 std::vector<double> minus(std::vector<double> values, const std::vector<double>& others) {
   std::transform(values.begin(), values.end(), others.begin(), values.begin(), std::minus<>());
   return values;
-}
-
-// What a series changes by where the surface rises by 1 m: a pressure by that of 1 m of liquid, any
-// other by the ratio of its own scatter to that of the surface.
-double per_elevation(const TimeSeries& series, double density, double gravity,
-                     const std::vector<double>& surface) {
-  if (series.unit == "m") return 1;
-  if (series.unit == "Pa") return density * gravity;
-  const double of_surface = scatter(surface);
-  return of_surface > 0 ? scatter(series.value) / of_surface : 0;
 }
 
 // Each series with what more modes add, for a rest that falls with the first power of their number.
@@ -117,7 +90,7 @@ std::vector<TimeSeries> with_more_modes(const LinearRun& linear, const CaseDefin
   CaseDefinition few = definition;
   few.sample_interval = std::max(definition.sample_interval, definition.duration / most_samples);
   const auto summed = [&](const LinearRun& modes) {
-    return series_of(*linear_flow(modes, few), few).all;
+    return series_of(*linear_flow(modes, few), few);
   };
   const std::vector<TimeSeries> less = summed(linear), more = summed(other);
   for (std::size_t i = 0; i < own.size(); ++i) {
@@ -131,25 +104,13 @@ std::vector<TimeSeries> with_more_modes(const LinearRun& linear, const CaseDefin
 
 // Adds each series with more modes, and with what linear theory leaves out where that is finite.
 void add_left_out(const LinearRun& linear, const CaseDefinition& definition, const LinearFlow& flow,
-                  RunResult& result, const LinearSeries& own) {
-  for (TimeSeries& one : with_more_modes(linear, definition, own.all))
+                  RunResult& result) {
+  const std::vector<TimeSeries> own = result.series;
+  for (TimeSeries& one : with_more_modes(linear, definition, own))
     result.series.push_back(std::move(one));
-  const Extent surface = still_surface(definition);
-  std::vector<double> places = own.x;
-  for (double& x : places)
-    if (std::isnan(x)) x = surface.right;
-  places.push_back(surface.left);
-  const std::vector<double> left = flow.elevation(surface.left),
-                            right = flow.elevation(surface.right);
-  const auto beyond = beyond_linear(definition, right, places);
-  for (std::size_t i = 0; i < own.all.size(); ++i) {
-    const bool is_force = std::isnan(own.x[i]);
-    const std::vector<double> rise = is_force ? minus(beyond[i], beyond.back()) : beyond[i];
-    add_moved(own.all[i], rise,
-              per_elevation(own.all[i], definition.liquid.density, definition.gravity,
-                            is_force ? minus(right, left) : right),
-              result);
-  }
+  const std::vector<TimeSeries> beyond = series_of(
+      BeyondLinear(definition, flow.elevation(still_surface(definition).right)), definition);
+  for (std::size_t i = 0; i < own.size(); ++i) add_moved(own[i], beyond[i].value, result);
 }
 
 }  // namespace
@@ -176,9 +137,8 @@ RunResult run_solver(const LinearRun& linear, const RunRequest& request) {
   const Extent surface = still_surface(definition);
 
   RunResult result;
-  const LinearSeries own = series_of(*flow, definition);
-  result.series = own.all;
-  add_left_out(linear, definition, *flow, result, own);
+  result.series = series_of(*flow, definition);
+  add_left_out(linear, definition, *flow, result);
   request.progress(definition.duration, 0);
 
   // Every mode is highest at the walls.

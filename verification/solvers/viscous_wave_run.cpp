@@ -16,11 +16,9 @@ reference::ViscousStandingWave wave_of(const CaseDefinition& definition) {
 
 void add_beyond_linear(const CaseDefinition& definition, const std::vector<double>& at_right,
                        RunResult& result) {
-  std::vector<double> x;
-  for (const GaugeDefinition& gauge : definition.gauges) x.push_back(gauge.x);
-  const auto beyond = beyond_linear(definition, at_right, x, definition.liquid.kinematic_viscosity);
-  for (std::size_t i = 0; i < x.size(); ++i)
-    add_moved(TimeSeries(result.series[i]), beyond[i], 1, result);
+  const BeyondLinear beyond(definition, at_right, definition.liquid.kinematic_viscosity);
+  for (std::size_t i = 0; i < definition.gauges.size(); ++i)
+    add_moved(TimeSeries(result.series[i]), beyond.elevation(definition.gauges[i].x), result);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "verification/tests/synthetic_series.hpp"
 
@@ -92,6 +93,68 @@ TEST(SensorLimits, DoNotTakeARoundOrAPointedCrestForAFlat) {
       EXPECT_FALSE(sensor_limits(one).lowest) << interval;
     }
   }
+}
+
+// How many of 20 records of 40 s have a flat crest, and a flat trough: waves of the height 1 to -1
+// or so, cut by a share of that, with noise and in steps that are shares of the range.
+struct Told {
+  int highest = 0, lowest = 0;
+};
+
+template <class Wave>
+Told told(const Wave& of, double interval, double cut, double noise, double steps) {
+  Told found;
+  const TimeSeries round = sampled(of, 0, 40, 0.001);
+  const auto [low, high] = std::minmax_element(round.value.begin(), round.value.end());
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 generator(seed);
+    std::normal_distribution<double> normal;
+    const double range = *high - *low;
+    const SensorLimits limits = sensor_limits(sampled(
+        [&](double t) {
+          const double value =
+              std::min(of(t), *high - cut * range / 2) + noise * range * normal(generator);
+          return steps > 0 ? in_steps(value, range / steps) : value;
+        },
+        0, 40, interval));
+    found.highest += limits.highest.has_value();
+    found.lowest += limits.lowest.has_value();
+  }
+  return found;
+}
+
+double beating(double t) { return wave(t) + 0.2 * std::sin(two_pi / 3.1 * t); }
+// Nearly x^4 at its troughs.
+double steep(double t) { return wave(t) - 0.2 * std::cos(2 * (two_pi / period * t + 0.4)); }
+
+TEST(SensorLimits, DoNotTakeARoundCrestForAFlatWhateverItsNoiseAndSteps) {
+  Told all;
+  for (const auto& of : {wave, beating, steep})
+    for (const double interval : {0.005, 0.02, 0.05, 0.1})
+      for (const double noise : {0.0, 0.0005, 0.002, 0.005, 0.01})
+        for (const double steps : {0.0, 98.0, 30.0, 10.0}) {
+          const Told found = told(of, interval, 0, noise, steps);
+          all.highest += found.highest;
+          all.lowest += found.lowest;
+        }
+  EXPECT_EQ(all.highest, 0);
+  EXPECT_LE(all.lowest, 5);  // of 4800: nearly x^4, in noise of half a step
+}
+
+TEST(SensorLimits, FindAClippedCrestBelowItsNoise) {
+  struct Row {
+    double noise, steps, cut;
+    int least;  // of 20
+  };
+  for (const auto& [noise, steps, cut, least] :
+       {Row{0.0005, 0, 0.04, 20}, Row{0.002, 0, 0.06, 20}, Row{0.002, 0, 0.1, 20},
+        Row{0.005, 0, 0.1, 16}, Row{0.005, 0, 0.2, 20}, Row{0.01, 0, 0.3, 20}, Row{0, 98, 0.1, 20},
+        Row{0.002, 98, 0.2, 20}, Row{0.01, 98, 0.3, 20}})
+    for (const double interval : {0.005, 0.02}) {
+      const Told found = told(wave, interval, cut, noise, steps);
+      EXPECT_GE(found.highest, least) << noise << " " << steps << " " << cut << " " << interval;
+      EXPECT_EQ(found.lowest, 0) << noise << " " << steps << " " << cut;
+    }
 }
 
 }  // namespace

@@ -1,0 +1,29 @@
+#include "verification/metrics/reading_doubts.hpp"
+
+#include <gtest/gtest.h>
+
+namespace slosh::reading_doubts_test {
+namespace {
+
+constexpr FlatExtreme at_zero{0, 1, 1.2, 30};
+
+SensorReadings readings(const char* unit, SensorLimits limits) {
+  return {"candidate", unit, limits, {0}};
+}
+
+TEST(ReadingDoubts, AreOfAPressureWhoseCrestReadsZeroAndNotOfOneThatFallsDry) {
+  EXPECT_EQ(flat_doubts(readings("Pa", {100, {}, at_zero, {}})).size(), 1U);
+  EXPECT_TRUE(flat_doubts(readings("Pa", {100, {}, {}, at_zero})).empty());
+}
+
+TEST(ReadingDoubts, AreNotOfALoadOrASurfaceThatRestsAtEitherEnd) {
+  for (const char* unit : {"N/m", "m"})
+    EXPECT_TRUE(flat_doubts(readings(unit, {100, {}, at_zero, at_zero})).empty()) << unit;
+}
+
+TEST(ReadingDoubts, AreOfAFlatBesideSteps) {
+  EXPECT_EQ(flat_doubts(readings("m", {100, 1.0, FlatExtreme{90, 1, 1.2, 30}, {}})).size(), 1U);
+}
+
+}  // namespace
+}  // namespace slosh::reading_doubts_test
