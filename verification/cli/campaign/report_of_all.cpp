@@ -35,7 +35,7 @@ std::vector<fs::path> results_in(const fs::path& directory) {
 int write_report_of_all(const CampaignOptions& options, const Installation& installation,
                         EarlierVerdicts& earlier) {
   const fs::path directory =
-      fs::absolute(options.output.empty() ? installation.build / "campaigns" : options.output);
+      whole(options.output.empty() ? installation.build / "campaigns" : options.output);
   std::vector<RecordedCampaign> campaigns;
   std::vector<std::string> left_out;
   for (const fs::path& file : results_in(directory)) try {
@@ -52,8 +52,7 @@ int write_report_of_all(const CampaignOptions& options, const Installation& inst
         "--all: expected reports of campaigns, NAME/report/results.json, in {}; `slosh campaign "
         "NAME` leaves one",
         directory.string()));
-  earlier.begin();
-  reports::require_replaceable(directory / "report");
+  earlier.begin({"report"});
   reports::Report report = report_of_campaigns(campaigns, left_out);
   const int status = exit_status(campaigns, left_out), asked = requested_exit(status, options);
   if (asked != status) report.results_json = with_exit_status(asked, report.results_json);
