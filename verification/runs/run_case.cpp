@@ -58,11 +58,12 @@ std::vector<std::filesystem::path> places_of(const RunRequest& request) {
   if (kind == AnsweredWith::user_program) endings = {".external", ".external.log", ".version.log"};
   if (settings.snapshot_interval != 0 || settings.state_interval != 0)
     endings = {".snapshots.h5", ".snapshots.xmf", ".state.h5", ".last_good.h5"};
-  const std::filesystem::path work = std::filesystem::absolute(settings.work_directory);
   std::vector<std::filesystem::path> places;
-  for (const char* ending : endings)
+  for (const char* ending : endings) {
+    const std::filesystem::path work = std::filesystem::absolute(settings.work_directory);
     places.push_back(std::filesystem::weakly_canonical(work.parent_path()) / work.filename() /
                      (request.run.name + ending));
+  }
   return places;
 }
 

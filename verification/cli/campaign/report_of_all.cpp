@@ -14,6 +14,7 @@
 #include "verification/cli/campaign/assessed_campaign.hpp"
 #include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 #include "verification/input/case_file_error.hpp"
 
 namespace slosh {
@@ -43,9 +44,10 @@ int write_report_of_all(const CampaignOptions& options, const Installation& inst
       campaigns.push_back(recorded_campaign(
           read_input(file), fs::relative(file.parent_path() / "index.html", directory).string()));
     } catch (const std::invalid_argument& error) {
-      left_out.push_back(file.lexically_relative(directory).string());
-      std::cerr << fmt::format("{}: {}; `slosh report NAME` writes the campaign's report anew\n",
-                               file.string(), error.what());
+      left_out.push_back(legible_message(file.lexically_relative(directory).string()));
+      std::cerr << legible_message(
+          fmt::format("{}: {}; `slosh report NAME` writes the campaign's report anew\n",
+                      file.string(), error.what()));
     }
   if (campaigns.empty())
     throw CaseFileError(fmt::format(
