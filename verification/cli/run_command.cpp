@@ -161,13 +161,7 @@ void require_safe_outputs(const RunOptions& options, const fs::path& work_direct
   std::error_code absent;
   if (!fs::equivalent(options.resume.parent_path(), work_directory, absent))
     protect_input(options.resume);
-  require_no_input(options.progress_file);
-  const bool is_file = fs::is_regular_file(options.progress_file, absent);
-  if (is_file && !fs::is_empty(options.progress_file) && !read_progress(options.progress_file))
-    throw CaseFileError(
-        fmt::format("--progress-file: {}: expected a new name, or the progress of "
-                    "an earlier run",
-                    options.progress_file.string()));
+  require_progress_place(options.progress_file);
 }
 
 int run_listed_job(std::size_t index, const std::atomic<bool>& stop) {

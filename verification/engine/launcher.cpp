@@ -31,12 +31,13 @@ void remove_lists(const fs::path& directory) {
       fs::remove_all(entry.path(), none);
 }
 
-// What the jobs write.
+// What the jobs write beside their progress.
 std::vector<fs::path> outputs_of(const std::vector<Job>& jobs, const fs::path& list) {
   std::vector<fs::path> outputs{list};
-  for (const Job& job : jobs)
-    for (const fs::path& one : {job.log_file, job.progress_file})
-      if (!one.empty()) outputs.push_back(one);
+  for (const Job& job : jobs) {
+    if (!job.progress_file.empty()) require_progress_place(job.progress_file);
+    if (!job.log_file.empty()) outputs.push_back(job.log_file);
+  }
   return outputs;
 }
 

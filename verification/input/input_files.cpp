@@ -23,14 +23,17 @@ std::vector<InputFile> files_below(const fs::path& directory) {
   std::vector<InputFile> files;
   std::set<fs::path> entered{fs::canonical(directory)};
   using Walk = fs::recursive_directory_iterator;
-  for (Walk at(directory, fs::directory_options::follow_directory_symlink), end; at != end; ++at) {
-    std::error_code lost;  // as where links lead in a circle
+  std::error_code failed;  // as where links lead in a circle
+  for (Walk at(directory, fs::directory_options::follow_directory_symlink, failed), end; at != end;
+       at.increment(failed)) {
+    std::error_code lost;
     const bool is_new = !at->is_directory(lost) || entered.insert(fs::canonical(at->path())).second;
     if (is_left_out(at->path()) || !is_new)
       at.disable_recursion_pending();
     else if (at->is_regular_file(lost))
       files.push_back({at->path().lexically_relative(directory).generic_string(), at->path()});
   }
+  if (failed) throw fs::filesystem_error("cannot list all files below", directory, failed);
   std::sort(files.begin(), files.end(),
             [](const InputFile& a, const InputFile& b) { return a.name < b.name; });
   return files;

@@ -178,7 +178,7 @@ RunResult run_solver(const LinearRun& linear, const RunRequest& request) {
   RunResult result;
   const LinearSeries own = series_of(*flow, definition);
   result.series = own.all;
-  add_left_out(linear, definition, *flow, result, own);
+  if (request.settings.with_left_out) add_left_out(linear, definition, *flow, result, own);
   request.progress(definition.duration, 0);
 
   // Every mode is highest at the walls.

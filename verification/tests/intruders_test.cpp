@@ -374,6 +374,29 @@ TEST_F(Intruders, AreQuotedAtALengthThatCanBeRead) {
   EXPECT_LT(fs::file_size(result("mine")), 1'000'000u);
 }
 
+TEST_F(Intruders, NameNoDirectoryThatCommandsTheTerminal) {
+  ASSERT_NO_FATAL_FAILURE(write_campaign(small_case));
+  const fs::path place = directory() / "out" / "\x1b[2Jred" / "report";
+  fs::create_directories(place);
+  std::ofstream(place / "results.json") << "[]";
+  const Ended ended = quick({"report", "--all", "-o", "out"});
+  EXPECT_TRUE(holds(ended.err, "out/red/report/results.json"));
+  EXPECT_FALSE(has_controls(ended.err + ended.out));
+}
+
+// What takes long must not stand in the way of a check.
+TEST_F(Intruders, AreCheckedWithoutTheEstimatesOfTheirTheories) {
+  std::string many = small_case;
+  for (int i = 0; i < 200; ++i)
+    many += "[[run]]\nname = \"theory_" + std::to_string(i) +
+            "\"\nsolver = \"linear\"\nmodes = 500\nvalid_elevation_over_depth = 0.2\n";
+  write("small.toml", many);
+  EXPECT_EQ(quick({"check", "./small.toml"}).status, 0);
+  write("small.toml",
+        with(small_case, "sample_interval_s = 0.01", "sample_interval_s = 0.0000008"));
+  EXPECT_EQ(quick({"check", "./small.toml"}).status, 0);
+}
+
 TEST_F(Intruders, ReadNoRecordOutsideTheDirectoryOfTheRecords) {
   write("token.csv", secret + ",eta_m\n0,1\n");
   write("small.toml", small_case + R"([[run]]

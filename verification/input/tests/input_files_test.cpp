@@ -57,5 +57,16 @@ TEST_F(InputFiles, BehindLinksCountAndACircleOfLinksEnds) {
   EXPECT_EQ(names("src"), (Names{"a.py", "b.py", "deep/c.py", "linked/d.py"}));
 }
 
+TEST_F(InputFiles, OfADirectoryThatCannotBeListedAreRefusedWithItsName) {
+  fs::create_symlink("circle", in() / "src/deep/circle");
+  try {
+    input_files(in() / "src");
+    FAIL() << "a link to itself";
+  } catch (const fs::filesystem_error& error) {
+    EXPECT_NE(std::string(error.what()).find("cannot list all files below"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find((in() / "src").string()), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace slosh::input_files_test
