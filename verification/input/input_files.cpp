@@ -23,11 +23,13 @@ std::vector<InputFile> files_below(const fs::path& directory) {
   std::vector<InputFile> files;
   std::set<fs::path> entered{fs::canonical(directory)};
   using Walk = fs::recursive_directory_iterator;
-  std::error_code failed;  // as where links lead in a circle
+  std::error_code failed;  // as where names are too long
   for (Walk at(directory, fs::directory_options::follow_directory_symlink, failed), end; at != end;
        at.increment(failed)) {
-    std::error_code lost;
-    const bool is_new = !at->is_directory(lost) || entered.insert(fs::canonical(at->path())).second;
+    std::error_code lost;  // as where links lead in a circle
+    const bool is_new =
+        !at->is_directory(lost) || entered.insert(fs::canonical(at->path(), failed)).second;
+    if (failed) break;
     if (is_left_out(at->path()) || !is_new)
       at.disable_recursion_pending();
     else if (at->is_regular_file(lost))

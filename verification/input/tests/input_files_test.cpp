@@ -58,13 +58,19 @@ TEST_F(InputFiles, BehindLinksCountAndACircleOfLinksEnds) {
 }
 
 TEST_F(InputFiles, OfADirectoryThatCannotBeListedAreRefusedWithItsName) {
-  fs::create_symlink("circle", in() / "src/deep/circle");
+  const fs::path before = fs::current_path();
+  fs::current_path(in() / "src/deep");
+  for (int i = 0; i < 20; ++i) {  // more than a path may be long
+    fs::create_directory(std::string(250, 'd'));
+    fs::current_path(std::string(250, 'd'));
+  }
+  fs::current_path(before);
   try {
     input_files(in() / "src");
-    FAIL() << "a link to itself";
+    FAIL();
   } catch (const fs::filesystem_error& error) {
     EXPECT_NE(std::string(error.what()).find("cannot list all files below"), std::string::npos);
-    EXPECT_NE(std::string(error.what()).find((in() / "src").string()), std::string::npos);
+    EXPECT_EQ(error.path1(), in() / "src");
   }
 }
 
