@@ -9,6 +9,7 @@ for kind in case campaign; do
   mv verification/case_file/from_keys/$kind.schema.json.new verification/case_file/from_keys/$kind.schema.json
 done
 ./slosh campaign docs/tutorial/campaign.toml -o build/own_tank
+rm -f docs/own_tank.png # no file that Slosh has left there, which it would not replace
 ./slosh show docs/tutorial/own_tank.toml -o docs/own_tank.png
 ./slosh campaign small_amplitude
 for figure in docs/gallery/*.svg; do

@@ -56,25 +56,16 @@ void swap_in(const fs::path& complete, const fs::path& target, const fs::path& a
 
 }  // namespace
 
-void require_replaceable(const fs::path& target) {
-  if (!fs::exists(target)) return;
-  if (!fs::is_directory(target))
-    throw ReportError("cannot write a report to " + target.string() + ": it is a file");
-  if (const auto foreign = foreign_in(target))
-    throw ReportError(
-        fmt::format("will not replace {}: it holds '{}', which is no part of a report; expected no "
-                    "such directory, or one that a report has made",
-                    target.string(), foreign->lexically_relative(target).string()));
-}
-
 void write_report(const Report& given, const fs::path& directory, const WriteOptions& options) try {
   check_report(given);
   const Report report = with_legible_figures(given);
-  // The path is made absolute and loses links and a trailing slash, so that the temporary directory
-  // is beside the target.
-  fs::path target = fs::weakly_canonical(fs::absolute(directory));
+  // The path is made absolute and loses a trailing slash, so that the temporary directory is beside
+  // the target.
+  fs::path target = fs::absolute(directory).lexically_normal();
   if (!target.has_filename()) target = target.parent_path();
-  require_replaceable(target);
+  require_own(target);
+  if (fs::exists(target) && !fs::is_directory(target))
+    throw ReportError("cannot write a report to " + target.string() + ": it is a file");
   fs::create_directories(target.parent_path());
   const TemporaryDirectory temporary(target.string() + ".writing-");
   const fs::path complete = temporary.path() / "report";
@@ -84,7 +75,7 @@ void write_report(const Report& given, const fs::path& directory, const WriteOpt
   const Drawings drawings =
       draw_report(report, options.threads, options.gnuplot, scratch, complete / "figures");
   write_files(report, drawings, complete);
-  claim_all_in(complete);
+  list_all_in(complete);
   swap_in(complete, target, temporary.path() / "old");
 } catch (const fs::filesystem_error& error) {
   throw ReportError(

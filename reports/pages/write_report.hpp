@@ -16,12 +16,8 @@ struct WriteOptions {
   Gnuplot gnuplot = run_gnuplot;
 };
 
-// Throws ReportError where the target is there and holds anything that no report has made
-// (files/own_files.hpp).
-void require_replaceable(const std::filesystem::path& target);
-
-// Replaces an earlier report under the same name, if it is replaceable. After an error the earlier
-// report is unchanged.
+// Replaces an earlier report under the same name. Throws ReportError where something lies there
+// that no report has made (files/own_files.hpp). After an error the earlier report is unchanged.
 void write_report(const Report& report, const std::filesystem::path& directory,
                   const WriteOptions& options = {});
 

@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/json_text.hpp"
+#include "verification/files/own_files.hpp"
 
 namespace slosh {
 namespace {
@@ -72,7 +72,7 @@ std::vector<BaselineChange> changes_from(const Json& changes) {
 void write_proposal(const Proposal& proposal, const fs::path& file) {
   const Json content{{"campaign", proposal.campaign}, {"changes", json_of(proposal.changes)}};
   try {
-    replace_file(file, content.dump(2) + "\n", Durability::process_crash);
+    replace_own(file, content.dump(2) + "\n");
   } catch (const fs::filesystem_error& error) {
     throw LedgerError(error.what());
   }

@@ -7,7 +7,7 @@
 
 #include "verification/campaign/job_failure.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/files/atomic_file.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/results/result_store.hpp"
 #include "verification/results/run_failure.hpp"
 #include "verification/results/timings.hpp"
@@ -138,22 +138,10 @@ std::vector<Job> timing_jobs(const PlannedRun& planned, const CampaignSettings& 
 
 void show_result(const fs::path& result, const fs::path& link) {
   std::error_code none;
-  const fs::path shown = fs::read_symlink(link, none);
-  if (shown == result) return;
-  if (none != std::errc::no_such_file_or_directory && !is_named_by_key(shown)) {
-    std::cerr << fmt::format("{} is kept, as no campaign has made it: it is no link to {}\n",
-                             link.string(), result.string());
-    return;
-  }
-  fs::create_directories(link.parent_path());
-  const fs::path next = make_beside(link, [&](const fs::path& one) {
-    std::error_code taken;
-    fs::create_symlink(result, one, taken);
-    if (taken && taken != std::errc::file_exists)
-      throw fs::filesystem_error("cannot make a link", one, taken);
-    return !taken;
-  });
-  fs::rename(next, link);
+  if (fs::read_symlink(link, none) == result) return;
+  if (!foreign_at(link)) return link_own(result, link);
+  std::cerr << fmt::format("{} is kept, as no campaign has made it: it is no link to {}\n",
+                           link.string(), result.string());
 }
 
 fs::path link_to_result(const CampaignSettings& settings, const CaseDefinition& definition,

@@ -18,6 +18,7 @@
 #include "verification/engine/launcher.hpp"
 #include "verification/engine/slurm_engine.hpp"
 #include "verification/files/file_lock.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/results/result_seals.hpp"
@@ -188,6 +189,7 @@ void wait_for_other_starts(const CampaignSettings& settings, const std::atomic<b
   const auto end_where_stopped = [&] {
     if (stop) throw InterruptedError("interrupted: nothing was started");
   };
+  require_own(settings.output / "jobs/lock");
   lock.emplace(settings.output / "jobs/lock", [&, told = false]() mutable {
     end_where_stopped();
     if (std::exchange(told, true)) return;

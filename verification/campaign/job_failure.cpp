@@ -67,12 +67,12 @@ RunFailure failure_of(const JobState& state) {
 }  // namespace
 
 RunFailure legible(const RunFailure& failure) {
-  return {legible(failure.kind), legible(failure.message), legible(failure.details),
-          legible(failure.log)};
+  return {legible_message(failure.kind), legible_message(failure.message),
+          legible_message(failure.details), legible_message(failure.log)};
 }
 
 std::string first_error_line(const std::filesystem::path& log) {
-  return legible(read_complaint(log).message);
+  return legible_message(read_complaint(log).message);
 }
 
 RunStatus status_without_result(const JobState& state, const std::filesystem::path& failure_file) {

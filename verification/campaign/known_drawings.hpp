@@ -17,7 +17,7 @@ class KnownDrawings {
   explicit KnownDrawings(std::filesystem::path directory);
 
   // Returns the cached drawing, or else draws it now; a reports::Gnuplot. A cached file that was
-  // cut short or changed is drawn again.
+  // cut short or changed (files/own_files.hpp) is drawn again and stays.
   std::string draw(const std::string& script, const std::string& figure_id,
                    const std::filesystem::path& scratch_directory);
 

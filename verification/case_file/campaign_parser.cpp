@@ -35,7 +35,7 @@ fs::path find_member(const PlacedText& member, const CampaignDefinition& campaig
   if (file.parent_path() != case_directory && !is_data_of(campaign.file, file))
     throw CaseFileError(fmt::format(
         "{}case = \"{}\": expected a case file in the repository of the campaign file, or "
-        "below the directory above it",
+        "without one below its directory or a current one that holds it",
         place, member.text));
   for (const fs::path& other : campaign.cases) {
     if (!fs::equivalent(other, file)) continue;

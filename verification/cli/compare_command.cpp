@@ -21,7 +21,7 @@
 #include "verification/cli/limit_option.hpp"
 #include "verification/cli/stored_run.hpp"
 #include "verification/evidence/case_evidence.hpp"
-#include "verification/files/atomic_file.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/gate/measured_value.hpp"
 #include "verification/import/import_series.hpp"
@@ -210,7 +210,7 @@ void write_json(const Comparison& comparison, const std::vector<GateOutcome>& ou
   if (comparison.margin)
     document["comparison"]["outside_band"] = share_outside(*comparison.margin, comparison.window);
   for (const GateOutcome& outcome : outcomes) document["gate"].push_back(outcome_entry(outcome));
-  replace_file(file, document.dump(2) + "\n", Durability::process_crash);
+  replace_named(file, document.dump(2) + "\n", "compare");
 }
 
 // The arrays of a comparison are as long as the series. By default each goes back to the system

@@ -14,10 +14,8 @@
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/spacing_study.hpp"
 #include "verification/cli/command_tree.hpp"
-#include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/own_files.hpp"
-#include "verification/files/protected_inputs.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
 #include "verification/texts/convergence_text.hpp"
@@ -66,16 +64,6 @@ std::string asked_quantity(const CaseDefinition& definition, const std::string& 
   throw CaseFileError(fmt::format("quantity = {}: expected one of {}", asked, names));
 }
 
-constexpr const char* made_by = "# `slosh converge` has made this file, and writes it anew.\n";
-
-// Protects a case file of the user that the study does not read.
-void require_own(const fs::path& file) {
-  if (fs::is_regular_file(file) && !read_bytes(file).starts_with(made_by))
-    throw CaseFileError(file.string() +
-                        ": expected another directory for --output, as this file is none that "
-                        "`slosh converge` has made");
-}
-
 // Writes the case file and reads it, so that its mistakes are reported before anything runs.
 CaseDefinition made_case(const CaseDefinition& definition, const SpacingStudy& study,
                          const fs::path& file, const fs::path& experiments) {
@@ -83,10 +71,9 @@ CaseDefinition made_case(const CaseDefinition& definition, const SpacingStudy& s
   for (const auto& [source, place] : text.tables) {
     const fs::path copy = file.parent_path() / place;
     if (std::error_code absent; fs::equivalent(source, copy, absent)) continue;
-    claim(copy);
-    replace_file(copy, read_input(source), Durability::process_crash);
+    replace_own(copy, read_input(source));
   }
-  replace_file(file, made_by + text.text, Durability::process_crash);
+  replace_own(file, text.text);
   CaseDefinition made = read_case(file, experiments);
   for (const RunDefinition& run : made.runs) require_runnable(made, run);
   return made;
@@ -112,14 +99,11 @@ int converge(const ConvergeOptions& options, const CommandTree& tree) {
   if (study.reference.empty()) study.reference = default_reference(definition);
   const std::string quantity = asked_quantity(definition, options.quantity);
   const std::string scheme = study.candidate.empty() ? study.family : study.candidate;
-  const fs::path output =
-      fs::absolute(options.output.empty()
-                       ? tree.installation.build / "converge" / (definition.name + "-" + scheme)
-                       : options.output);
+  const fs::path output = whole(options.output.empty() ? tree.installation.build / "converge" /
+                                                             (definition.name + "-" + scheme)
+                                                       : options.output);
   const fs::path file = output / (definition.name + ".toml");
   for (const RunDefinition& run : definition.runs) protect_inputs(definition, run);
-  require_no_input(file);
-  if (!options.output.empty()) require_own(file);
   const CaseDefinition made = made_case(definition, study, file, experiments);
   const CampaignSettings settings{.output = output,
                                   .store = ResultStore(whole(options.store)),

@@ -5,7 +5,7 @@
 
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/stored_run.hpp"
-#include "verification/files/atomic_file.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/texts/series_csv.hpp"
 
@@ -27,7 +27,7 @@ int export_result(const ExportOptions& options) {
   if (options.output.empty())
     std::cout << text;
   else
-    replace_file(options.output, text, Durability::process_crash);
+    replace_named(options.output, text, "export");
   return exit_pass;
 }
 

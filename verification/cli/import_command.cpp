@@ -11,6 +11,7 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/legible_text.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/files/shell_word.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/import/file_formats.hpp"
@@ -136,6 +137,7 @@ int import_files(const ImportOptions& options) {
   result.run_name = options.files.front().stem().string();
   result.solver = "imported";
   result.active_terms = {"imported from " + options.format};
+  const OpenOutputs output(options.output, "import");
   write_result(result, options.output);
   for (const TimeSeries& series : result.series) {
     std::cout << fmt::format("{}: {} samples from {} to {} s [{}], the first value is {:.4g}\n",

@@ -19,7 +19,10 @@ std::string name_or_path(const fs::path& file, const fs::path& shipped) {
 }
 
 fs::path whole(const fs::path& path) {
-  return path.empty() ? path : fs::absolute(path).lexically_normal();
+  if (path.empty()) return path;
+  std::error_code circle;
+  const fs::path named = fs::absolute(path), real = fs::weakly_canonical(named, circle);
+  return circle ? named.lexically_normal() : real;
 }
 
 std::string experiments_option(const fs::path& experiments) {

@@ -20,7 +20,7 @@ std::filesystem::path usual_store(const Installation& installation);
 // Returns how a command line names the file: a shipped one by its name, any other by its path.
 std::string name_or_path(const std::filesystem::path& file, const std::filesystem::path& shipped);
 
-// Returns the absolute path without dots. An empty path stays empty.
+// Returns the absolute path without dots and links. An empty path stays empty.
 std::filesystem::path whole(const std::filesystem::path& path);
 
 // Returns the option by which a command finds the user's records; empty if no directory is named.

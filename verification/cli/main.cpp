@@ -107,7 +107,7 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   const auto fail = [](const std::exception& error, int status) {
-    std::cerr << "slosh: " << slosh::legible(error.what()) << "\n";
+    std::cerr << "slosh: " << slosh::legible_message(error.what()) << "\n";
     return status;
   };
   open_closed_streams();

@@ -8,6 +8,7 @@
 #include "verification/assessment/problem_assessment.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/stored_run.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/problems/problem_list.hpp"
@@ -72,10 +73,11 @@ int run_problem(const ProblemOptions& options, const Installation& installation)
     return result;
   };
   if (!options.store.empty()) {
-    keep_problem(ResultStore(options.store), key, compute);
+    keep_problem(ResultStore(whole(options.store)), key, compute);
     return exit_pass;
   }
   const fs::path file = options.output.empty() ? fs::path(problem.name + ".json") : options.output;
+  const OpenOutputs output(file, "problem");
   write_problem_result(compute(), file);
   std::cout << "result: " << file.string() << "\n";
   return exit_pass;

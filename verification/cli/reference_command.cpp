@@ -13,7 +13,7 @@
 #include "verification/cli/stored_run.hpp"
 #include "verification/display/run_display.hpp"
 #include "verification/files/atomic_file.hpp"
-#include "verification/files/protected_inputs.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/runs/expected_cost.hpp"
@@ -67,7 +67,7 @@ RunResult theory_result(const CaseDefinition& definition, const RunDefinition& r
 int leave_references(const ReferenceOptions& options, const Installation& installation) {
   const bool table = is_table(options.output);
   const CaseDefinition definition = read_case(find_case(options.case_name, installation.cases));
-  require_no_input(options.output);
+  const OpenOutputs output(options.output, "reference");
   const ResultStore store(whole(options.store));
   CaseRuns runs;
   for (const RunDefinition& run : definition.runs)

@@ -157,14 +157,11 @@ RunResult attempted(const RunDefinition& run, const ResultStore& store, const st
 
 // Refuses outputs onto inputs before anything is computed. A run that goes on from a state in its
 // own directory may save another one there.
-void require_safe_outputs(const RunOptions& options, const fs::path& file,
-                          const fs::path& work_directory) {
-  for (const char* cleared : {".external", ".openfoam"})
-    require_no_input(work_directory / (options.run + cleared));
+void require_safe_outputs(const RunOptions& options, const fs::path& work_directory) {
   std::error_code absent;
   if (!fs::equivalent(options.resume.parent_path(), work_directory, absent))
     protect_input(options.resume);
-  for (const fs::path& output : {file, options.progress_file}) require_no_input(output);
+  require_progress_place(options.progress_file);
 }
 
 int run_listed_job(std::size_t index, const std::atomic<bool>& stop) {
@@ -183,14 +180,13 @@ int run_one(const RunOptions& options, const Installation& installation) {
   const RunDefinition& run = requested_run(definition, options.run);
   const std::string key =
       run_key(definition, run, installation.builds, installation.openfoam_templates);
-  const ResultStore store(options.store);
+  const ResultStore store(whole(options.store));
   const fs::path file = !options.store.empty()   ? store.file(key, ".h5")
                         : options.output.empty() ? fs::path(run.name + ".h5")
                                                  : options.output;
   RunSettings settings = settings_for(options, installation, key, file);
   settings.command = command_of(options, installation, definition, run);
-  require_safe_outputs(options, file, settings.work_directory);
-  if (!options.store.empty()) claim(settings.work_directory);  // for store --remove
+  require_safe_outputs(options, settings.work_directory);
   const ExpectedCost expected =
       expected_cost(definition, run, key, ResultStore(usual_store(installation)));
   const auto compute = [&] {
@@ -216,6 +212,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
     return exit_pass;
   }
   const ResultStore usual(usual_store(installation));
+  const OpenOutputs output(file, "run");
   const bool is_attempt = is_as_a_campaign_computes(options) && options.time_limit == 0;
   const RunResult result = is_attempt ? attempted(run, usual, key, compute) : compute();
   const int status = leave_result(result, file, settings, definition, run);

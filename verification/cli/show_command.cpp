@@ -23,7 +23,7 @@
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/installation.hpp"
-#include "verification/files/atomic_file.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 
 namespace slosh {
@@ -153,7 +153,7 @@ int show_case(const ShowOptions& options, const Installation& installation) {
       form == Form::page
           ? reports::figure_page(definition.title, figures, stored.remarks, scratch.path())
           : drawn(form, figure_of(options.quantity, definition, figures), scratch.path());
-  replace_file(file, text, Durability::process_crash);
+  replace_named(file, text, "show");
   std::cout << "picture: " << file.string() << std::endl;
   if (!options.output.empty()) return exit_pass;
   const std::string why = open_browser(file);

@@ -11,6 +11,7 @@
 
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/stored_run.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/problems/problem_result.hpp"
 #include "verification/results/result_file.hpp"
@@ -43,7 +44,7 @@ std::optional<std::string> name_of_old(const ResultStore& store, const std::stri
     return result.case_name + "/" + result.run_name + " (" + result.solver + ")";
   }
   if (const fs::path file = store.file(key, ".json"); fs::exists(file))
-    return read_problem_result(file).problem + " (a problem)";
+    return legible_message(read_problem_result(file).problem) + " (a problem)";
   return "what a failed or interrupted run left";
 } catch (const ResultError&) {
   return unreadable;
@@ -98,8 +99,10 @@ void print_line(const char* word, const OldResult& one) {
 
 void tell_of_foreign(const OldResults& old) {
   for (const fs::path& path : old.foreign)
-    std::cout << fmt::format("kept       {}, which does not hold the store's seal and this key\n",
-                             path.string());
+    std::cout << legible_message(fmt::format(
+        "kept       {}, which does not hold the store's seal and this key, or holds what Slosh has "
+        "not left so\n",
+        path.string()));
 }
 
 int remove_old(const ResultStore& store, const OldResults& old) {

@@ -100,10 +100,10 @@ RunResult named_result(const fs::path& file) {
   protect_input(file);
   RunResult result = read_result(file);
   for (std::string* text : {&result.case_name, &result.run_name, &result.solver})
-    *text = legible(*text);
+    *text = legible_message(*text);
   for (TimeSeries& series : result.series) {
-    series.name = legible(series.name);
-    series.unit = legible(series.unit);
+    series.name = legible_message(series.name);
+    series.unit = legible_message(series.unit);
   }
   return result;
 }

@@ -11,6 +11,7 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/stored_run.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/files/shell_word.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/import/particle_table.hpp"
@@ -63,6 +64,7 @@ int measure(const SurfaceOptions& options, const Installation& installation) {
   result.provenance = provenance(command);
   result.provenance["source_file"] = std::filesystem::absolute(options.file).string();
   result.provenance["source_hash"] = content;
+  const OpenOutputs output(options.output, "surface");
   write_result(result, options.output);
   for (const TimeSeries& series : result.series)
     std::cout << fmt::format("{}: {} samples from {} to {} s [{}], the first value is {:.4g}\n",

@@ -10,7 +10,6 @@
 #include "verification/engine/ninja_engine.hpp"
 #include "verification/engine/slurm_engine.hpp"
 #include "verification/files/own_files.hpp"
-#include "verification/files/protected_inputs.hpp"
 
 namespace slosh {
 namespace {
@@ -28,20 +27,18 @@ void remove_lists(const fs::path& directory) {
   for (const auto& entry : fs::directory_iterator(directory))
     // Processes left of an earlier start may write there at this moment; the next start removes it.
     if (std::error_code none;
-        entry.path().filename().string().starts_with("list_") && is_own(entry.path()))
+        entry.path().filename().string().starts_with("list_") && !foreign_at(entry.path()))
       fs::remove_all(entry.path(), none);
 }
 
-// Removes the logs of earlier starts, so that a job that never starts does not show an old log.
-void remove_logs(const std::vector<Job>& jobs) {
-  for (const Job& job : jobs)
-    for (const fs::path& one : {job.log_file, job.progress_file}) {
-      if (one.empty()) continue;
-      require_no_input(one);
-      claim(one);
-    }
-  std::error_code none;
-  for (const Job& job : jobs) fs::remove(job.log_file, none);
+// What the jobs write beside their progress.
+std::vector<fs::path> outputs_of(const std::vector<Job>& jobs, const fs::path& list) {
+  std::vector<fs::path> outputs{list};
+  for (const Job& job : jobs) {
+    if (!job.progress_file.empty()) require_progress_place(job.progress_file);
+    if (!job.log_file.empty()) outputs.push_back(job.log_file);
+  }
+  return outputs;
 }
 
 }  // namespace
@@ -53,9 +50,10 @@ std::vector<JobState> launch(const std::vector<Job>& jobs, const LaunchSettings&
         fmt::format("at_once = {}: expected at least one core to fill", settings.at_once));
   if (jobs.empty()) return {};
   remove_lists(settings.directory);
-  remove_logs(jobs);
   const fs::path place = fresh_list(settings.directory);
-  claim(place);
+  const OpenOutputs outputs(outputs_of(jobs, place));
+  // A job that never starts must not show an old log.
+  for (const Job& job : jobs) fs::remove(job.log_file);
   const JobList list = JobList::create(place, jobs);
   return settings.engine == Engine::slurm ? run_by_slurm(list, settings, stop, observe)
                                           : run_by_ninja(list, settings, stop, observe);

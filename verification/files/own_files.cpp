@@ -1,15 +1,20 @@
 #include "verification/files/own_files.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <map>
 #include <set>
 #include <sstream>
-#include <string>
 #include <system_error>
+#include <utility>
 
+#include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/protected_inputs.hpp"
 
 namespace slosh {
 namespace {
@@ -17,21 +22,60 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* list_name = ".slosh";
+constexpr const char* refusal =
+    "will not replace what Slosh has not left so, by its list .slosh there; expected another "
+    "place, or that you remove it, as after a change of Slosh's version";
 
-std::set<std::string> names_in(const fs::path& directory) try {
-  std::istringstream list(read_bytes(directory / list_name));
-  std::set<std::string> names{list_name};
-  for (std::string name; std::getline(list, name);) names.insert(name);
-  return names;
+[[noreturn]] void refuse(const std::string& action, const fs::path& path, int reason) {
+  throw fs::filesystem_error(action, path, std::error_code(reason, std::generic_category()));
+}
+
+std::string hash_of(std::string_view content, const std::string& command) {
+  ContentHash hash;
+  hash.add(command);
+  hash.add(content);
+  return hash.digits();
+}
+
+std::string identity_of(const fs::path& path, const std::string& command) {
+  const fs::file_status status = fs::symlink_status(path);
+  if (fs::is_symlink(status)) return hash_of(fs::read_symlink(path).native(), command);
+  if (!fs::is_regular_file(status)) return "no_file";
+  if (fs::file_size(path) > largest_file) return fmt::format("{}_bytes", fs::file_size(path));
+  return hash_of(read_bytes(path), command);
+}
+
+// Empty where there is no list.
+std::string open_mark(const fs::path& directory) {
+  struct stat list;
+  const bool is_there = ::lstat((directory / list_name).c_str(), &list) == 0;
+  return is_there && S_ISREG(list.st_mode) ? fmt::format("*{}", list.st_ino) : "";
+}
+
+// The identities that the list of a directory gives to each name.
+using Identities = std::map<std::string, std::set<std::string>>;
+
+Identities listed_in(const fs::path& directory) try {
+  const std::string open = open_mark(directory);
+  if (open.empty()) return {};
+  Identities listed;
+  std::istringstream lines(read_bytes(directory / list_name));
+  for (std::string identity, name; lines >> identity && std::getline(lines.ignore(), name);) {
+    std::set<std::string>& known = listed[name];
+    if (identity == open)
+      known = {open};
+    else if (!identity.starts_with('*')) {
+      known.erase(open);
+      known.insert(identity);
+    }
+  }
+  return listed;
 } catch (const fs::filesystem_error&) {
   return {};
 }
 
-[[noreturn]] void refuse(const char* action, const fs::path& path, int reason) {
-  throw fs::filesystem_error(action, path, std::error_code(reason, std::generic_category()));
-}
-
-void append(const std::string& lines, const fs::path& list) {
+void append(const std::string& lines, const fs::path& directory) {
+  const fs::path list = directory / list_name;
   const int descriptor =
       ::open(list.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (descriptor < 0) refuse("cannot write", list, errno);
@@ -42,39 +86,131 @@ void append(const std::string& lines, const fs::path& list) {
   if (!is_written) refuse("cannot write", list, reason);
 }
 
+// A name of two lines cannot stand in a list, and stays foreign.
+std::string line_of(const std::string& identity, const fs::path& path) {
+  const std::string name = path.filename().string();
+  return name.find('\n') == name.npos ? identity + " " + name + "\n" : "";
+}
+
+void add(const std::string& identity, const fs::path& path) {
+  const fs::path directory = path.parent_path();
+  fs::create_directories(directory);
+  if (!listed_in(directory)[path.filename().string()].contains(identity))
+    append(line_of(identity, path), directory);
+}
+
+std::optional<fs::path> foreign_at(const fs::path& path, const Identities& listed,
+                                   const std::string& command) {
+  const fs::file_status status = fs::symlink_status(path);
+  const auto found = listed.find(path.filename().string());
+  const std::set<std::string> known =
+      found == listed.end() ? std::set<std::string>() : found->second;
+  const bool is_open = !known.empty() && known.begin()->starts_with('*');
+  if (!fs::exists(status) || is_open) return std::nullopt;
+  if (fs::is_directory(status)) {
+    const Identities inside = listed_in(path);
+    for (const auto& entry : fs::directory_iterator(path))
+      if (auto foreign = foreign_at(entry.path(), inside, "")) return foreign;
+    return std::nullopt;
+  }
+  const bool is_nobodys =
+      fs::is_regular_file(status) && (path.filename() == list_name || fs::file_size(path) == 0);
+  if (is_nobodys || known.contains(identity_of(path, command))) return std::nullopt;
+  return path;
+}
+
+// The absolute path without dots, which must be Slosh's.
+fs::path own_place(const fs::path& path, const std::string& command) {
+  require_no_input(path);
+  fs::path place = fs::absolute(path).lexically_normal();
+  if (!place.has_filename()) place = place.parent_path();
+  for (fs::path at = place.parent_path(); at.has_relative_path(); at = at.parent_path())
+    if (fs::is_symlink(fs::symlink_status(at)))
+      refuse("will not write through a link; expected a directory", at, ELOOP);
+  if (const auto foreign = foreign_at(place, listed_in(place.parent_path()), command))
+    refuse(refusal, *foreign, EEXIST);
+  return place;
+}
+
+bool is_written_through(const fs::path& file) {
+  return fs::exists(file) && !fs::is_regular_file(file);
+}
+
+// Where the links of a file that the user names lead.
+fs::path named_place(const fs::path& file) {
+  require_no_input(file);
+  fs::path place = fs::absolute(file);
+  if (fs::exists(place)) return fs::canonical(place);  // throws for links that lead in a circle
+  while (fs::is_symlink(place)) place = place.parent_path() / fs::read_symlink(place);
+  return fs::weakly_canonical(place.parent_path()) / place.filename();
+}
+
+void replace_listed(const fs::path& place, std::string_view content, const std::string& command) {
+  add(hash_of(content, command), place);
+  replace_file(place, content, Durability::process_crash);
+}
+
 }  // namespace
 
-bool is_own(const fs::path& path) {
-  return names_in(path.parent_path()).contains(path.filename().string());
+std::optional<fs::path> foreign_at(const fs::path& path) {
+  return foreign_at(path, listed_in(path.parent_path()), "");
 }
 
-void claim(const fs::path& path) {
-  const fs::path place = fs::absolute(path);
-  if (is_own(place)) return;
-  if (fs::exists(fs::symlink_status(place)))
-    refuse("will not replace what Slosh has not made; expected another name or no such file", path,
-           EEXIST);
-  fs::create_directories(place.parent_path());
-  append(place.filename().string() + "\n", place.parent_path() / list_name);
+void require_own(const fs::path& path) { own_place(path, ""); }
+
+void replace_own(const fs::path& file, std::string_view content) {
+  replace_listed(own_place(file, ""), content, "");
 }
 
-void claim_all_in(const fs::path& directory) {
-  std::string names;
+void replace_named(const fs::path& file, std::string_view content, const char* command) {
+  if (is_written_through(file)) return replace_file(file, content, Durability::process_crash);
+  replace_listed(own_place(named_place(file), command), content, command);
+}
+
+void link_own(const fs::path& target, const fs::path& link) {
+  const fs::path place = own_place(link, "");
+  add(hash_of(target.native(), ""), place);
+  const fs::path next = make_beside(place, [&](const fs::path& one) {
+    std::error_code taken;
+    fs::create_symlink(target, one, taken);
+    if (taken && taken != std::errc::file_exists) refuse("cannot make a link", one, taken.value());
+    return !taken;
+  });
+  fs::rename(next, place);
+}
+
+void list_all_in(const fs::path& directory) {
+  std::string lines;
   for (const auto& entry : fs::directory_iterator(directory)) {
-    names += entry.path().filename().string() + "\n";
-    if (entry.is_directory()) claim_all_in(entry.path());
-  }
-  append(names, directory / list_name);
-}
-
-std::optional<fs::path> foreign_in(const fs::path& directory) {
-  const std::set<std::string> own = names_in(directory);
-  for (const auto& entry : fs::directory_iterator(directory)) {
-    if (!own.contains(entry.path().filename().string())) return entry.path();
     if (fs::is_directory(entry.symlink_status()))
-      if (auto foreign = foreign_in(entry.path())) return foreign;
+      list_all_in(entry.path());
+    else if (entry.path().filename() != list_name)
+      lines += line_of(identity_of(entry.path(), ""), entry.path());
   }
-  return std::nullopt;
+  append(lines, directory);
+}
+
+OpenOutputs::OpenOutputs(std::vector<fs::path> paths, std::string command)
+    : paths_(std::move(paths)), command_(std::move(command)) {
+  for (fs::path& path : paths_) path = own_place(path, command_);
+  for (const fs::path& path : paths_) {
+    fs::create_directories(path.parent_path());
+    append("", path.parent_path());  // which makes the list that the mark names
+    add(open_mark(path.parent_path()), path);
+  }
+}
+
+OpenOutputs::OpenOutputs(const fs::path& file, const char* command)
+    : OpenOutputs(
+          is_written_through(file) ? std::vector<fs::path>() : std::vector{named_place(file)},
+          std::string(command)) {}
+
+OpenOutputs::~OpenOutputs() {
+  for (const fs::path& path : paths_) try {
+      if (fs::is_directory(fs::symlink_status(path))) list_all_in(path);
+      add(identity_of(path, command_), path);
+    } catch (const fs::filesystem_error&) {  // it stays open
+    }
 }
 
 }  // namespace slosh

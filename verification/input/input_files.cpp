@@ -23,14 +23,19 @@ std::vector<InputFile> files_below(const fs::path& directory) {
   std::vector<InputFile> files;
   std::set<fs::path> entered{fs::canonical(directory)};
   using Walk = fs::recursive_directory_iterator;
-  for (Walk at(directory, fs::directory_options::follow_directory_symlink), end; at != end; ++at) {
+  std::error_code failed;  // as where names are too long
+  for (Walk at(directory, fs::directory_options::follow_directory_symlink, failed), end; at != end;
+       at.increment(failed)) {
     std::error_code lost;  // as where links lead in a circle
-    const bool is_new = !at->is_directory(lost) || entered.insert(fs::canonical(at->path())).second;
+    const bool is_new =
+        !at->is_directory(lost) || entered.insert(fs::canonical(at->path(), failed)).second;
+    if (failed) break;
     if (is_left_out(at->path()) || !is_new)
       at.disable_recursion_pending();
     else if (at->is_regular_file(lost))
       files.push_back({at->path().lexically_relative(directory).generic_string(), at->path()});
   }
+  if (failed) throw fs::filesystem_error("cannot list all files below", directory, failed);
   std::sort(files.begin(), files.end(),
             [](const InputFile& a, const InputFile& b) { return a.name < b.name; });
   return files;
@@ -54,16 +59,17 @@ std::vector<fs::path> matches(const fs::path& pattern) {
   return paths;
 }
 
-// The directory below which the data of a case lie: never the whole file system.
-fs::path root_of(const fs::path& case_file) {
+// The directories below which the data of a case lie: the repository; without one, the case's own
+// directory and the current one. Never the whole file system.
+std::vector<fs::path> roots_of(const fs::path& case_file) {
   std::error_code lost;  // of a file that has no name any more
   const fs::path real = fs::weakly_canonical(fs::absolute(case_file), lost);
   const fs::path home = (lost ? fs::absolute(case_file) : real).parent_path();
-  for (fs::path at = home;; at = at.parent_path())
-    if (std::error_code none; fs::exists(at / ".git", none))
-      return at;
-    else if (at == at.parent_path())
-      return home.parent_path() == at ? home : home.parent_path();
+  for (fs::path at = home; at.has_relative_path(); at = at.parent_path())
+    if (std::error_code none; fs::exists(at / ".git", none)) return {at};
+  const fs::path current = fs::current_path();
+  if (lies_below(home, current) && current.has_relative_path()) return {current};
+  return {home};
 }
 
 bool is_hidden(const fs::path& path) {
@@ -77,7 +83,9 @@ bool is_hidden(const fs::path& path) {
 bool is_data_of(const fs::path& case_file, const fs::path& file) {
   std::error_code lost;
   const fs::path real = fs::canonical(file, lost);
-  for (const fs::path& root : {root_of(case_file), fs::weakly_canonical(SLOSH_SHIPPED_CASES)})
+  std::vector<fs::path> roots = roots_of(case_file);
+  roots.push_back(fs::weakly_canonical(SLOSH_SHIPPED_CASES));
+  for (const fs::path& root : roots)
     if (!lost && lies_below(real, root) && !is_hidden(real.lexically_relative(root))) return true;
   return false;
 }
@@ -90,7 +98,7 @@ void require_data_file(const TomlTable& table, const char* key, const fs::path& 
   for (const fs::path& part : parts)
     if (!is_data_of(case_file, part))
       table.refuse(key, fmt::format("a file below {}, links followed, and not a hidden one",
-                                    root_of(case_file).string()));
+                                    roots_of(case_file).front().string()));
 }
 
 bool is_record_in(const fs::path& directory, const TomlTable& table, const char* key,

@@ -23,10 +23,10 @@ std::vector<InputFile> input_files(const std::filesystem::path& path);
 
 // Refuses the value at a key unless it names data that a case may read: a file, or a directory of
 // one program's time folders, below the root of the repository that holds the case file (the
-// nearest directory above it with a ".git"), or without a repository below the directory above that
-// of the case file, so that "../data/wave.csv" is; or among the shipped cases. Links are followed,
-// and nothing hidden is read. A case that others propose reads nothing else of the machine, and no
-// message quotes from it.
+// nearest directory above it with a ".git"), or without a repository below its own directory or a
+// current one that holds it; or among the shipped cases. Links are followed, and nothing hidden is
+// read. A case that others propose reads nothing else of the machine, and no message quotes from
+// it.
 void require_data_file(const TomlTable& table, const char* key, const std::filesystem::path& file,
                        const std::filesystem::path& case_file);
 

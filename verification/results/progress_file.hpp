@@ -16,6 +16,10 @@ struct RunProgress {
 // Replaces the file. Throws std::filesystem::filesystem_error.
 void write_progress(const RunProgress& progress, const std::filesystem::path& file);
 
+// Throws std::filesystem::filesystem_error where a file lies there that is no progress, and
+// OutputError (protected_inputs.hpp) where it is an input of this process.
+void require_progress_place(const std::filesystem::path& file);
+
 // Returns nullopt where the file is absent or not readable: the run may not have begun to write it.
 std::optional<RunProgress> read_progress(const std::filesystem::path& file);
 

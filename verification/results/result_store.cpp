@@ -125,7 +125,7 @@ bool ResultStore::has_made(const std::string& key, const fs::path& path) const {
   const std::string name = path.filename().string(), answer = answer_of(key);
   const auto is = [&](const char* extension) { return name == answer + extension; };
   const fs::file_status status = fs::symlink_status(path);
-  if (fs::is_directory(status)) return is_own(path);
+  if (fs::is_directory(status)) return !foreign_at(path);
   if (!fs::is_regular_file(status)) return false;
   if (name.starts_with(".")) return is_half_written(path, answer);
   const std::string bytes = read_bytes(path);
@@ -165,11 +165,6 @@ void require_key_of_place(const std::string& key, const fs::path& file) {
     throw ResultError(
         fmt::format("{}: holds the result of the key {}, expected that of its place, {}",
                     file.string(), key, named));
-}
-
-bool is_named_by_key(const fs::path& file) {
-  return is_half(file.parent_path().filename().string()) &&
-         is_half(answer_in(file.filename().string()));
 }
 
 StoreLock::StoreLock(const ResultStore& store, const std::string& key,

@@ -77,9 +77,6 @@ auto read_stored(const std::filesystem::path& file, const Read& read) {
   return result;
 }
 
-// Returns whether a path has the form of a store's files.
-bool is_named_by_key(const std::filesystem::path& file);
-
 // Holds a key of the store for this process alone during its lifetime, and removes the half-written
 // files of a process that died there. Waits for another process that holds the key. Throws
 // std::filesystem::filesystem_error.

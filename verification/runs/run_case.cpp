@@ -48,19 +48,28 @@ void require_whole(const TimeSeries& series, const CaseDefinition& definition) {
   }
 }
 
-// Claims what the solvers remove before they begin, so that nothing of the user's goes with it.
-void claim_places(const RunRequest& request) {
+// What the solvers write beside the result, or remove before they begin. The user may have named
+// the directory of the result by a link, but none below it.
+std::vector<std::filesystem::path> places_of(const RunRequest& request) {
+  const RunSettings& settings = request.settings;
   const AnsweredWith kind = solver_kind(request.run).answered_with;
-  std::vector<const char*> cleared;
-  if (kind == AnsweredWith::openfoam) cleared = {".openfoam"};
-  if (kind == AnsweredWith::user_program) cleared = {".external", ".external.log", ".version.log"};
-  for (const char* ending : cleared)
-    claim(request.settings.work_directory / (request.run.name + ending));
+  std::vector<const char*> endings;
+  if (kind == AnsweredWith::openfoam) endings = {".openfoam"};
+  if (kind == AnsweredWith::user_program) endings = {".external", ".external.log", ".version.log"};
+  if (settings.snapshot_interval != 0 || settings.state_interval != 0)
+    endings = {".snapshots.h5", ".snapshots.xmf", ".state.h5", ".last_good.h5"};
+  std::vector<std::filesystem::path> places;
+  for (const char* ending : endings) {
+    const std::filesystem::path work = std::filesystem::absolute(settings.work_directory);
+    places.push_back(std::filesystem::weakly_canonical(work.parent_path()) / work.filename() /
+                     (request.run.name + ending));
+  }
+  return places;
 }
 
 // Runs the solver and turns the leaves' exceptions into those of execute().
 RunResult run_chosen_solver(const RunRequest& request) try {
-  claim_places(request);
+  const OpenOutputs places(places_of(request));
   RunResult result = run_solver(request);
   if (!solver_kind(request.run).can_end_early)
     for (const TimeSeries& series : result.series) require_whole(series, request.definition);

@@ -54,6 +54,7 @@ fs::path selftest_record_file(const fs::path& baselines, const std::string& camp
 }
 
 void write_selftest_record(const SelftestRecord& record, const fs::path& file) {
+  if (fs::exists(file)) read_selftest_record(file);  // nothing else is replaced
   Json cases = Json::array();
   for (const CaseCoverage& one : record.cases) cases.push_back(json_of(one));
   const Json content{{"campaign", record.campaign}, {"quick", record.quick}, {"cases", cases}};

@@ -75,11 +75,14 @@ std::string filled_in(const char* key, const std::string& argument, const Placeh
   return filled;
 }
 
-// Returns the argument, and also its value where it has the form "--name=value".
+// Returns the argument, also its value where it has the form "--name=value", and both without an
+// "@" before them.
 std::vector<std::string> texts_of(const std::string& argument) {
   std::vector<std::string> texts{argument};
   if (const std::size_t equals = argument.find('='); equals != argument.npos)
     texts.push_back(argument.substr(equals + 1));
+  for (std::size_t i = texts.size(); i-- > 0;)
+    if (texts[i].starts_with('@')) texts.push_back(texts[i].substr(1));
   return texts;
 }
 
@@ -130,6 +133,20 @@ bool asks_for_tank_file(const ExternalRun& external) {
       [](const std::string& argument) { return argument.find("{tank_file}") != argument.npos; });
 }
 
+std::vector<fs::path> argument_paths(const ExternalRun& external,
+                                     const CaseDefinition& definition) {
+  std::vector<fs::path> paths;
+  // What is in the work directory is made by the run, so nothing may be found: /dev/null has none.
+  const std::vector<std::string> command = external_command(external, definition, "/dev/null");
+  for (auto argument = command.begin() + 1; argument != command.end(); ++argument)
+    for (const std::string& text : texts_of(*argument)) {
+      if (text.empty()) continue;
+      paths.push_back(fs::absolute(definition.file).parent_path() / text);
+      if (!external.directory.empty()) paths.push_back(external.directory / text);
+    }
+  return paths;
+}
+
 std::vector<InputFile> external_inputs(const ExternalRun& external,
                                        const CaseDefinition& definition) {
   const fs::path case_file = fs::absolute(definition.file).lexically_normal();
@@ -140,19 +157,11 @@ std::vector<InputFile> external_inputs(const ExternalRun& external,
                                       [&](const InputFile& one) { return one.file == normal; });
     if (!is_known && normal != case_file) files.push_back({input.name, normal});
   };
-  const auto add_argument = [&](const fs::path& file) {
-    std::error_code none;
-    if (fs::is_regular_file(file, none)) add({file.filename().string(), file});
-  };
   for (const fs::path& input : external.inputs)
     for (const InputFile& file : input_files(input)) add(file);
-  // Files in the work directory are made by the run, so none may be found: /dev/null has none.
-  const std::vector<std::string> command = external_command(external, definition, "/dev/null");
-  for (auto argument = command.begin() + 1; argument != command.end(); ++argument)
-    for (const std::string& text : texts_of(*argument)) {
-      add_argument(case_file.parent_path() / text);
-      if (!external.directory.empty()) add_argument(external.directory / text);
-    }
+  for (const fs::path& file : argument_paths(external, definition))
+    if (std::error_code none; fs::is_regular_file(file, none))
+      add({file.filename().string(), file});
   return files;
 }
 

@@ -30,10 +30,15 @@ inline constexpr const char* tank_file_name = "tank.json";
 // Whether the command has {tank_file}, so that the run writes this file.
 bool asks_for_tank_file(const ExternalRun& external);
 
+// Returns the paths that each argument may name, also by its part behind an "=" or an "@", relative
+// to the case file and to the run's directory. Throws as external_command() does.
+std::vector<std::filesystem::path> argument_paths(const ExternalRun& external,
+                                                  const CaseDefinition& definition);
+
 // Returns the files whose content counts as part of the run: the inputs that the case declares, and
-// each argument, or the part of it behind an "=", that names an existing file relative to the case
-// file or to the run's directory. Each file is named once. The case file itself is left out, for
-// only its physical part counts (run_key.hpp). Throws as external_command() and input_files() do.
+// those of argument_paths() that are files. Each file is named once. The case file itself is left
+// out, for only its physical part counts (run_key.hpp). Throws as external_command() and
+// input_files() do.
 std::vector<InputFile> external_inputs(const ExternalRun& external,
                                        const CaseDefinition& definition);
 

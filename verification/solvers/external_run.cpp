@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "verification/files/content_hash.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 #include "verification/files/foreign/plain_file.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/import/import_series.hpp"
@@ -86,7 +87,7 @@ std::string program_version(const ExternalRun& external, const CaseDefinition& d
                .time_limit = longest});
   std::ifstream stream(log);
   for (std::string line; std::getline(stream, line);)
-    if (!trimmed(line).empty()) return std::string(trimmed(line));
+    if (!trimmed(line).empty()) return legible_message(trimmed(line));
   throw program_failure("version_command: expected a line of output", log);
 }
 

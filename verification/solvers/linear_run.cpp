@@ -138,7 +138,7 @@ RunResult run_solver(const LinearRun& linear, const RunRequest& request) {
 
   RunResult result;
   result.series = series_of(*flow, definition);
-  add_left_out(linear, definition, *flow, result);
+  if (request.settings.with_left_out) add_left_out(linear, definition, *flow, result);
   request.progress(definition.duration, 0);
 
   // Every mode is highest at the walls.

@@ -28,6 +28,7 @@ struct RunSettings {
   double time_limit = 0;              // [s] of wall time, of an interFoam run; 0: none
   std::string key;                    // run_key()'s, recorded
   std::string command;                // repeats this run, recorded
+  bool with_left_out = true;          // of a theory: also its series that SolverKind::leaves names
 };
 
 // Called from time to time with the simulated time [s] and the number of steps so far.

@@ -2,6 +2,7 @@
 // tell what could not be written.
 #include <gtest/gtest.h>
 
+#include "verification/files/content_hash.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh::full_disk_test {
@@ -52,13 +53,14 @@ class FullDisk : public SmallCampaign {
 
 TEST_F(FullDisk, KeepsAnEarlierResultAndEndsWithFour) {
   write("seed/theory.h5", "an earlier result");
+  write("seed/.slosh", content_hash("runan earlier result") + " theory.h5\n");
   write("seed/filling", std::string(50'000, 'x'));
   RUN_ON_FULL_DISK({"run", "./small.toml", "theory", "--output", "disk/theory.h5"});
   EXPECT_EQ(ran->status, 4) << ran->out;
   expect_in(ran->err, "cannot write the result file disk/theory.h5");
   expect_in(ran->err, "No space left on device");
   EXPECT_EQ(read("after/theory.h5"), "an earlier result");
-  expect_only({"filling", "theory.h5"});
+  expect_only({".slosh", "filling", "theory.h5"});
 }
 
 TEST_F(FullDisk, RemovesTheVerdictOfAnEarlierReportAndEndsWithFour) {
@@ -66,10 +68,8 @@ TEST_F(FullDisk, RemovesTheVerdictOfAnEarlierReportAndEndsWithFour) {
   write_campaign(with(particles_case, "limit = 0.3", "limit = 0.29"));  // or nothing is to be done
   fs::create_directory(directory() / "seed/report");
   write("seed/report/index.html", "an earlier report");
-  write("seed/report/.slosh", "index.html\nresults.json\n");
-  fs::remove_all(report());
-  fs::create_symlink("../disk/report", report());
-  RUN_ON_FULL_DISK({"report", "./surges.toml", "--output", "out"});
+  write("seed/report/.slosh", content_hash("an earlier report") + " index.html\n");
+  RUN_ON_FULL_DISK({"report", "./surges.toml", "--output", "disk"});
   EXPECT_EQ(ran->status, 4) << ran->out;
   EXPECT_TRUE(ran->err.find("No space left on device") != std::string::npos ||
               ran->err.find("no space left in") != std::string::npos)
@@ -81,11 +81,11 @@ TEST_F(FullDisk, RemovesAnEarlierGateDocumentAndEndsWithFour) {
   ASSERT_EQ(campaign().status, 0);
   fs::create_directory(directory() / "seed/gate");
   write("seed/gate/junit.xml", "earlier");
-  write("seed/filling", std::string(61'000, 'x'));
-  fs::create_symlink("../disk/gate", directory() / "out/gate");
-  RUN_ON_FULL_DISK({"gate", "./surges.toml", "--output", "out"});
+  write("seed/gate/.slosh", content_hash("earlier") + " junit.xml\n");
+  write("seed/filling", std::string(57'000, 'x'));
+  RUN_ON_FULL_DISK({"gate", "./surges.toml", "--output", "disk"});
   EXPECT_EQ(ran->status, 4) << ran->out;
-  expect_in(ran->err, "cannot write: No space left on device");
+  expect_in(ran->err, "No space left on device");
   EXPECT_FALSE(fs::exists(directory() / "after/gate/junit.xml")) << "an earlier verdict is none";
 }
 
@@ -129,11 +129,12 @@ TEST_F(FullDisk, WithoutRoomForItsListOfJobsACampaignSaysSo) {
   RUN_ON_FULL_DISK({"campaign", "./surges.toml", "--output", "disk/out"});
   EXPECT_EQ(ran->status, 4) << ran->out;
   expect_in(ran->err, "No space left on device");
-  expect_in(ran->err, "disk/out/jobs");
+  expect_in(ran->err, "disk/out/");
 }
 
 TEST_F(FullDisk, IsToldOfALimitOnTheSizeOfFilesToo) {
   write("theory.h5", "an earlier result");
+  write(".slosh", content_hash("runan earlier result") + " theory.h5\n");
   const Ended run = end_of(start("/bin/sh", {"-c", "trap '' XFSZ; ulimit -f 8; exec \"$@\"", "sh",
                                              SLOSH_TOOL, "run", "./small.toml", "theory"}));
   EXPECT_EQ(run.status, 4) << run.out;

@@ -328,11 +328,73 @@ TEST_F(Intruders, ReadNoDataOutsideTheRepositoryOfTheirCase) {
               std::string(member) + "\"]\n");
     EXPECT_EQ(quick({"gate", "repository/cases/all.toml", "-o", "out"}).status, 2) << member;
   }
-  // Without a repository, the directory above the case's is where data may lie too.
+  // Without a repository, data lie below the case's directory or the current one.
   fs::remove_all(directory() / "repository/.git");
   EXPECT_EQ(quick({"check", "repository/cases/small.toml"}).status, 0);
-  write("repository/cases/small.toml", motion("../../token.csv"));
-  EXPECT_EQ(quick({"check", "repository/cases/small.toml"}).status, 2);
+  for (const auto& [place, file] : {std::pair{"repository/cases", "../../token.csv"},
+                                    {"repository/cases", "../data/token.csv"},
+                                    {"repository", "../token.csv"},
+                                    {"repository/cases", "../token.csv"},
+                                    {"/", "../token.csv"}}) {
+    write("repository/data/token.csv", secret + ",eta_m\n0,1\n");
+    write("repository/token.csv", secret + ",eta_m\n0,1\n");
+    write("repository/cases/small.toml", motion(file));
+    write("repository/small.toml", motion(file));
+    const std::string name = place == std::string("repository") ? "repository/small.toml"
+                                                                : "repository/cases/small.toml";
+    const Ended ended =
+        end_of(start("/bin/sh", {"-c", "cd \"$0\" && exec \"$@\"", place, SLOSH_TOOL, "check",
+                                 (directory() / name).string()}));
+    EXPECT_EQ(ended.status, 2) << place << " " << file;
+    EXPECT_EQ(ended.err.find(secret), std::string::npos) << ended.err;
+  }
+}
+
+// A program, a table or a result may say twenty megabytes where a message would quote a word.
+TEST_F(Intruders, AreQuotedAtALengthThatCanBeRead) {
+  const std::string longest(20'000'000, 'x');
+  write("long", longest);
+  write("head.csv", "time," + longest + "\n0,1\n");
+  EXPECT_LT(quick({"import", "head.csv", "--format", "csv", "--time", "t", "--series",
+                   "elevation@right=b", "-o", "b.h5"})
+                .err.size(),
+            4000u);
+  for (const char* script : {"cat \"$0\"/long; exit 1", "cat \"$0\"/long >&2; exit 1",
+                             "printf '{\"%s\": 1, \"schema_version\": 1}' $(head -c 900000 "
+                             "\"$0\"/long) > cost.json; \"$@\""}) {
+    write_campaign(small_case + scripted_run(script, facts) + own_row("amplitude_error", "0.3"));
+    EXPECT_EQ(quick({"gate", "./surges.toml", "-o", "out"}).status, 3) << script;
+    for (const char* file : {"gate.md", "junit.xml"})
+      EXPECT_LT(fs::file_size(directory() / "out/gate" / file), 100'000u) << script;
+  }
+  write_campaign(small_case +
+                 scripted_run(solve, "version_command = [\"cat\", \"{case_directory}/long\"]\n") +
+                 own_row("amplitude_error", "0.3"));
+  EXPECT_EQ(quick({"campaign", "./surges.toml", "-o", "out"}).status, 0);
+  EXPECT_LT(fs::file_size(result("mine")), 1'000'000u);
+}
+
+TEST_F(Intruders, NameNoDirectoryThatCommandsTheTerminal) {
+  ASSERT_NO_FATAL_FAILURE(write_campaign(small_case));
+  const fs::path place = directory() / "out" / "\x1b[2Jred" / "report";
+  fs::create_directories(place);
+  std::ofstream(place / "results.json") << "[]";
+  const Ended ended = quick({"report", "--all", "-o", "out"});
+  EXPECT_TRUE(holds(ended.err, "out/red/report/results.json"));
+  EXPECT_FALSE(has_controls(ended.err + ended.out));
+}
+
+// What takes long must not stand in the way of a check.
+TEST_F(Intruders, AreCheckedWithoutTheEstimatesOfTheirTheories) {
+  std::string many = small_case;
+  for (int i = 0; i < 200; ++i)
+    many += "[[run]]\nname = \"theory_" + std::to_string(i) +
+            "\"\nsolver = \"linear\"\nmodes = 500\nvalid_elevation_over_depth = 0.2\n";
+  write("small.toml", many);
+  EXPECT_EQ(quick({"check", "./small.toml"}).status, 0);
+  write("small.toml",
+        with(small_case, "sample_interval_s = 0.01", "sample_interval_s = 0.0000008"));
+  EXPECT_EQ(quick({"check", "./small.toml"}).status, 0);
 }
 
 TEST_F(Intruders, ReadNoRecordOutsideTheDirectoryOfTheRecords) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "verification/files/content_hash.hpp"
 #include "verification/results/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
@@ -194,18 +195,22 @@ TEST_F(Outputs, ReplaceNoInputByItsNameOrByALink) {
     }
 }
 
-TEST_F(Outputs, OfAStudyReplaceItsOwnCaseFileAndNoOther) {
+TEST_F(Outputs, OfAStudyReplaceItsOwnFilesAndNoOther) {
   Words study = put(outputs()[8].words, "study");
   ASSERT_EQ(study.front(), "converge");
   EXPECT_NE(tool(study).status, 2);
-  const std::string made = read("study/small.toml");
-  EXPECT_NE(tool(study).status, 2);
+  const std::string made = read("study/small.toml"), table = read("study/motion.csv");
+  EXPECT_FALSE(holds(tool(study).err, ".slosh"));
   EXPECT_EQ(read("study/small.toml"), made);
-  write("study/small.toml", "a case of the user's");
-  const Ended refused = tool(study);
-  EXPECT_EQ(refused.status, 2) << refused.err;
-  EXPECT_TRUE(holds(refused.err, "study/small.toml: expected another directory for --output"));
-  EXPECT_EQ(read("study/small.toml"), "a case of the user's");
+  for (const auto& [file, text] : {std::pair{"small.toml", made}, {"motion.csv", table}}) {
+    write(std::string("study/") + file, "a week of work");
+    const Ended refused = tool(study);
+    EXPECT_EQ(refused.status, 4) << refused.err;
+    EXPECT_TRUE(holds(refused.err, "by its list .slosh"));
+    EXPECT_TRUE(holds(refused.err, file));
+    EXPECT_EQ(read(std::string("study/") + file), "a week of work");
+    write(std::string("study/") + file, text);
+  }
 }
 
 TEST_F(Outputs, RemoveNoDirectoryOfAUsersFromThatOfTheJobs) {
@@ -254,26 +259,129 @@ TEST_F(Outputs, WaitForNoReaderOfTheCosts) {
   EXPECT_TRUE(fs::is_fifo(store() / "costs.txt"));
 }
 
-TEST_F(Outputs, FollowLinksWhichStay) {
+TEST_F(Outputs, FollowTheLinksThatAUserNamesAndNoOthers) {
   for (const Output& output : outputs()) {
     if (output.name == std::string("run --progress-file")) continue;
     SCOPED_TRACE(output.name);
     if (output.name == std::string("gate, its page")) begin_ledger();
     const std::string name = "linked_" + std::to_string(&output - outputs().data());
     const std::string target = name + ".target";
-    for (const bool is_there : {false, true}) {
-      if (is_there && output.name == std::string("converge")) continue;  // it would be the user's
-      if (is_there) write(target, "old");
-      const std::string place = name + (is_there ? "_full" : "_new");
-      const Ended ended = start_at(output, place, [&](const fs::path& there) {
-        fs::create_symlink(directory() / target, there);
-      });
-      EXPECT_NE(ended.status, 2) << ended.err;
-      EXPECT_TRUE(fs::is_symlink(place_of(output, place)));
-      EXPECT_GT(read(target).size(), 3u);
-      fs::remove(directory() / target);
+    const Ended ended = start_at(output, name, [&](const fs::path& there) {
+      fs::create_symlink(directory() / target, there);
+    });
+    const bool is_named = output.file.empty();
+    EXPECT_EQ(ended.status, is_named ? 0 : 4) << ended.err;
+    EXPECT_TRUE(fs::is_symlink(place_of(output, name)));
+    EXPECT_EQ(fs::exists(directory() / target), is_named);
+    EXPECT_EQ(holds(ended.err, "by its list .slosh"), !is_named) << ended.err;
+  }
+}
+
+// Whoever proposes a change may commit links, and a list, where the outputs of a start go.
+TEST_F(Outputs, LieBehindNoLinkThatWasCommitted) {
+  begin_ledger();
+  ASSERT_EQ(tool({"gate", "./surges.toml", "--ledger", "ledger.jsonl", "-o", "out"}).status, 0);
+  const Words gate{"gate", "./surges.toml", "--ledger", "ledger.jsonl"},
+      start{"campaign", "./surges.toml"}, report{"report", "./surges.toml"},
+      propose{"baseline", "propose", "./surges.toml", "--ledger", "ledger.jsonl"},
+      mistake{"gate", "./surges.toml", "--mistake"};
+  write("mine", "a week of work");
+  int count = 0;
+  for (const auto& [words, link] : {std::pair{gate, "gate/gate.md"},
+                                    {gate, "gate/junit.xml"},
+                                    {gate, "gate"},
+                                    {gate, "jobs"},
+                                    {gate, "runs"},
+                                    {gate, "runs/small"},
+                                    {start, "report"},
+                                    {start, "report/index.html"},
+                                    {start, "report/results.json"},
+                                    {start, "report/figures"},
+                                    {start, "jobs"},
+                                    {start, "runs/small"},
+                                    {start, "drawings"},
+                                    {report, "report"},
+                                    {report, "report/results.json"},
+                                    {propose, "baseline_proposal.json"},
+                                    {mistake, "gate/gate.md"},
+                                    {mistake, "report/index.html"},
+                                    {mistake, "gate"},
+                                    {mistake, "report"}}) {
+    SCOPED_TRACE(words.front() + ", " + link);
+    const std::string place = "linked_" + std::to_string(++count), away = place + "_away";
+    fs::copy(directory() / "out", directory() / place,
+             fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+    const fs::path there = directory() / place / link;
+    const bool is_directory = fs::path(link).extension().empty();
+    fs::create_directories(there.parent_path());
+    fs::create_directory(directory() / away);
+    write(away + "/gate.md", "a week of work");
+    fs::remove_all(there);
+    fs::create_symlink(directory() / (is_directory ? away : "mine"), there);
+    std::ofstream(there.parent_path() / ".slosh", std::ios::app)
+        << content_hash("a week of work") << " " << there.filename().string() << "\n";
+    Words all = words;
+    for (const char* word : {"-o", place.c_str(), "--store", "another"}) all.emplace_back(word);
+    if (words == report || words == propose) all.resize(all.size() - 2);
+    const Ended ended = tool(all);
+    EXPECT_NE(ended.status, 0) << ended.out << ended.err;
+    EXPECT_TRUE(fs::is_symlink(there));
+    EXPECT_EQ(read("mine"), "a week of work");
+    EXPECT_EQ(read(away + "/gate.md"), "a week of work");
+    EXPECT_EQ(std::distance(fs::directory_iterator(directory() / away), {}), 1);
+    fs::remove_all(directory() / "another");
+  }
+}
+
+// A gate's document and a proposal of a user's, with no list beside them.
+TEST_F(Outputs, ReplaceNoDocumentOfAUsers) {
+  begin_ledger();
+  const Words end{"-o", "own"};
+  for (Words words : {Words{"gate", "./surges.toml", "--ledger", "ledger.jsonl"},
+                      {"campaign", "./surges.toml"},
+                      {"report", "./surges.toml"},
+                      {"gate", "./surges.toml", "--mistake"},
+                      {"baseline", "propose", "./surges.toml", "--ledger", "ledger.jsonl"}}) {
+    SCOPED_TRACE(words.front());
+    fs::create_directories(directory() / "own/gate");
+    for (const char* file :
+         {"own/gate/gate.md", "own/gate/junit.xml", "own/baseline_proposal.json"})
+      write(file, "a week of work");
+    words.insert(words.end(), end.begin(), end.end());
+    tool(words);
+    for (const char* file :
+         {"own/gate/gate.md", "own/gate/junit.xml", "own/baseline_proposal.json"})
+      EXPECT_EQ(read(file), "a week of work") << file;
+  }
+  fs::create_directory(directory() / "baselines");
+  for (const char* file : {"surges.selftest.json", "baselines/surges.selftest.json"})
+    write(file, "a week of work");
+  EXPECT_NE(tool({"selftest", "./surges.toml", "-o", "out", "--record"}).status, 0);
+  for (const char* file : {"surges.selftest.json", "baselines/surges.selftest.json"})
+    EXPECT_EQ(read(file), "a week of work") << file;
+}
+
+// No command knows the files of a case that it does not read.
+TEST_F(Outputs, ThatAUserNamesReplaceWhatTheSameCommandHasLeftAlone) {
+  begin_ledger();
+  for (const Output& output : outputs()) {
+    if (!output.file.empty()) continue;
+    SCOPED_TRACE(output.name);
+    const std::string place = "again_" + std::to_string(&output - outputs().data()) + output.ending;
+    EXPECT_EQ(tool(put(output.words, place)).status, 0);
+    EXPECT_EQ(tool(put(output.words, place)).status, 0) << "the same once more";
+    for (const std::string& text : {std::string("time,surface\n0,0\n"), read("theory.h5")}) {
+      write("record" + output.ending, text);
+      const Ended ended = tool(put(output.words, "record" + output.ending));
+      EXPECT_TRUE(ended.status == 2 || ended.status == 4) << ended.out << ended.err;
+      EXPECT_TRUE(holds(ended.err, "record" + output.ending));
+      EXPECT_TRUE(read("record" + output.ending) == text);
     }
   }
+  ASSERT_EQ(tool(put(outputs()[2].words, "stored.h5")).status, 0);
+  const std::string stored = read("stored.h5");
+  EXPECT_EQ(run("theory", {"-o", "stored.h5"}).status, 4);
+  EXPECT_TRUE(read("stored.h5") == stored);
 }
 
 // A device of the test's own, with the numbers of /dev/null or /dev/full.
@@ -300,10 +408,12 @@ TEST_F(Outputs, GoThroughDevicesWhichStay) {
       const Ended ended = start_at(
           output, place, [&](const fs::path& there) { ASSERT_TRUE(make_device(there, number)); });
       EXPECT_TRUE(is_device(place_of(output, place), number));
-      if (number == full && !may_fail) {
+      if (!output.file.empty()) {
+        EXPECT_EQ(ended.status, 4) << ended.out << ended.err;
+      } else if (number == full && !may_fail) {
         EXPECT_EQ(ended.status, 4) << ended.out << ended.err;
         EXPECT_TRUE(holds(ended.err, "No space left on device"));
-      } else if (output.file.empty()) {
+      } else {
         EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
       }
     }
@@ -389,7 +499,7 @@ TEST_F(Outputs, OfAFullOrClosedStandardOutputFailEveryCommand) {
   EXPECT_EQ(tool({"list"}).status, 0);
 }
 
-TEST_F(Outputs, WriteAReportAgainWhosePagesWereEditedOrRemoved) {
+TEST_F(Outputs, WriteAReportAgainWhosePagesWereRemovedAndRefuseAnEditedOne) {
   ASSERT_EQ(campaign().status, 0);
   const std::string page = read(report() / "index.html");
   fs::path figure;
@@ -403,7 +513,10 @@ TEST_F(Outputs, WriteAReportAgainWhosePagesWereEditedOrRemoved) {
   };
   for (const char* command : {"report", "campaign"}) {
     write("out/report/index.html", "edited");
-    expect_written(command, "an edited page");
+    const Ended refused = tool({command, "./surges.toml", "--output", "out"});
+    EXPECT_EQ(refused.status, 4) << refused.out;
+    EXPECT_TRUE(holds(refused.err, "by its list .slosh"));
+    EXPECT_EQ(read("out/report/index.html"), "edited");
     fs::remove(report() / "index.html");
     expect_written(command, "no page");
     fs::remove(figure);
@@ -424,7 +537,8 @@ TEST_F(Outputs, ReplaceNothingOfAUsersThatHasTheNameOfAnOutput) {
     write(std::string("out/") + file, "a week of work");
     const Ended ended = campaign();
     EXPECT_EQ(ended.status, 4) << file;
-    EXPECT_TRUE(holds(ended.err, "which is no part of a report")) << file;
+    EXPECT_TRUE(holds(ended.err, "by its list .slosh")) << file;
+    EXPECT_TRUE(holds(ended.err, fs::path(file).filename().string())) << file;
     EXPECT_EQ(read(std::string("out/") + file), "a week of work");
   }
   fs::remove_all(directory() / "out/report");
@@ -449,6 +563,11 @@ TEST_F(Outputs, ReplaceNothingOfAUsersThatHasTheNameOfAnOutput) {
   fs::create_directories(directory() / "mine.work/mine.external");
   write("mine.work/mine.external/notes.txt", "a week of work");
   EXPECT_EQ(run("mine").status, 3);
+  EXPECT_EQ(read("mine.work/mine.external/notes.txt"), "a week of work");
+  fs::remove_all(directory() / "mine.work");
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(run("mine").status, 0);
+  write("mine.work/mine.external/notes.txt", "a week of work");
+  EXPECT_EQ(run("mine").status, 3) << "in a directory that Slosh has made";
   EXPECT_EQ(read("mine.work/mine.external/notes.txt"), "a week of work");
 }
 

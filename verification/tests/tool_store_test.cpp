@@ -78,7 +78,8 @@ TEST_F(ToolStore, KeepsWhatOnlyLooksLikeAResultAndSaysSo) {
   const fs::path question = store() / std::string(32, 'a');
   const std::string answer(32, '0');
   fs::create_directories(question / (answer + ".work"));
-  for (const char* file : {".h5", ".json", ".timings.json", ".notes.txt"})
+  for (const char* file :
+       {".h5", ".json", ".timings.json", ".notes.txt", ".work/notes.txt", ".\x1b[31mred"})
     std::ofstream(question / (answer + file)) << "a week of work";
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"store"}, {"store", "--remove"}}) {
@@ -88,6 +89,8 @@ TEST_F(ToolStore, KeepsWhatOnlyLooksLikeAResultAndSaysSo) {
       EXPECT_TRUE(holds(ended.out, "kept       " + (question / (answer + file)).string() + ", "));
       EXPECT_TRUE(fs::exists(question / (answer + file)));
     }
+    EXPECT_TRUE(holds(ended.out, answer + ".red, "));
+    EXPECT_FALSE(holds(ended.out, "\x1b"));
     EXPECT_FALSE(holds(ended.out, "removed  "));
   }
 }

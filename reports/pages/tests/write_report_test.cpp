@@ -218,13 +218,14 @@ TEST(WrittenReport, NeverReplacesADirectoryThatOnlyHasTheNamesOfAReports) {
   }
 }
 
-TEST(WrittenReport, ReplacesPagesThatSomebodyEdited) {
-  const ScratchDirectory scratch;
-  write_report(paged_report(), scratch / "report");
-  for (const char* page : {"index.html", "waves.html", "results.json"})
+TEST(WrittenReport, ReplacesNoPageThatSomebodyEdited) {
+  for (const char* page : {"index.html", "waves.html", "results.json"}) {
+    const ScratchDirectory scratch;
+    write_report(paged_report(), scratch / "report");
     write_text(scratch / "report" / page, "edited");
-  write_report(paged_report(), scratch / "report");
-  EXPECT_NE(read_text(scratch / "report/waves.html"), "edited");
+    EXPECT_THROW(write_report(paged_report(), scratch / "report"), ReportError);
+    EXPECT_EQ(read_text(scratch / "report" / page), "edited");
+  }
 }
 
 TEST(WrittenReport, CannotBePutWhereNothingCanBeWritten) {

@@ -19,7 +19,6 @@
 #include "verification/cli/campaign/assessed_campaign.hpp"
 #include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/cli/campaign/report_of_all.hpp"
-#include "verification/files/atomic_file.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 #include "verification/texts/assessment_text.hpp"
@@ -92,8 +91,7 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   return superseding(options, installation, [&](EarlierVerdicts& earlier) {
     RequestedCampaign campaign = requested(options, installation);
     require_possible(options, campaign.settings);
-    earlier.begin();
-    reports::require_replaceable(campaign.place / "report");
+    earlier.begin({"report"});
     const int status = judge_campaign(std::move(campaign), options, installation, stop);
     earlier.end("gate", status);
     return requested_exit(status, options);

@@ -9,7 +9,6 @@
 #include "reports/summary/recorded_campaigns.hpp"
 #include "verification/cli/campaign/gate_files.hpp"
 #include "verification/cli/campaign/requested_campaign.hpp"
-#include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
@@ -60,8 +59,7 @@ EarlierVerdicts::Place EarlierVerdicts::read(const fs::path& directory) {
        {directory / gate_folder / junit_name, directory / gate_folder / gate_page_name,
         directory / report_folder / page_name, directory / report_folder / data_name})
     try {
-      if (file.parent_path().filename() == gate_folder || is_own(file))
-        place.texts[file] = read_bytes(file);
+      if (!foreign_at(file)) place.texts[file] = read_bytes(file);
     } catch (const fs::filesystem_error&) {  // there is none, or a device
     }
   return place;
@@ -85,9 +83,8 @@ void EarlierVerdicts::supersede(const Place& place, const char* folder, int stat
     if (folder == std::string(gate_folder))
       return write_gate_files(superseded_gate(campaign_, status, why), directory);
     const reports::Report report = superseded_report(campaign_, status, why);
-    replace_file(directory / data_name, report.results_json, Durability::process_crash);
-    replace_file(directory / page_name, reports::html_pages(report, {}).front().text,
-                 Durability::process_crash);
+    replace_own(directory / data_name, report.results_json);
+    replace_own(directory / page_name, reports::html_pages(report, {}).front().text);
   } catch (const fs::filesystem_error&) {  // no room: an old verdict must not stay for that
     for (const fs::path& file : files)
       if (fs::is_regular_file(file)) fs::remove(file);
@@ -95,9 +92,10 @@ void EarlierVerdicts::supersede(const Place& place, const char* folder, int stat
   }
 }
 
-void EarlierVerdicts::begin() {
+void EarlierVerdicts::begin(const std::vector<std::string>& written) {
   const Place& own = places_.front();
   for (const char* folder : {gate_folder, report_folder}) require_no_input(own.directory / folder);
+  for (const std::string& output : written) require_own(own.directory / output);
   has_begun_ = true;
   for (const char* folder : {gate_folder, report_folder})
     supersede(own, folder, exit_not_compared, "the start has not come to its verdict");
@@ -131,8 +129,7 @@ void EarlierVerdicts::end(const char* folder, int status) const {
   if (!before || is_worse_status(status, *before))
     return supersede(own, folder, has_failed ? status : exit_not_compared, why);
   for (const auto& [file, text] : own.texts)
-    if (file.parent_path().filename() == folder)
-      replace_file(file, text, Durability::process_crash);
+    if (file.parent_path().filename() == folder) replace_own(file, text);
 }
 
 int superseding(const CampaignOptions& options, const Installation& installation,

@@ -20,9 +20,10 @@ class EarlierVerdicts {
   // campaign's file may be wrong.
   EarlierVerdicts(const CampaignOptions& options, const Installation& installation);
 
-  // Replaces the documents as soon as the inputs are known, none of which may be among them. Throws
-  // OutputError where one is, and std::filesystem::filesystem_error.
-  void begin();
+  // Replaces the documents as soon as the inputs are known. `written` are the outputs of this
+  // start, by their paths in the directory; none may be an input or foreign. Throws as
+  // require_own() (files/own_files.hpp).
+  void begin(const std::vector<std::string>& written);
   // Replaces them where the start ends without a verdict. If it ends before begin(), its selection
   // may be a mistake: the documents of the whole campaign go too.
   void end_early(const std::string& why) const;

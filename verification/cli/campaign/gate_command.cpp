@@ -59,7 +59,7 @@ int judge_campaign(RequestedCampaign campaign, const fs::path& ledger, const Gat
   // Read before a program of the user's starts.
   const std::vector<Approval> approvals = read_ledger(ledger);
   const Baseline baseline = baseline_of(approvals);
-  start.earlier.begin();
+  start.earlier.begin({std::string("gate/") + junit_name, std::string("gate/") + gate_page_name});
   const AssessedCampaign assessed = assess(std::move(campaign), start.stop);
   GateFindings findings{.movements = movements(baseline, {assessed.cases, assessed.problems,
                                                           start.options.selection.is_partial()}),

@@ -10,8 +10,7 @@
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
-#include "verification/files/atomic_file.hpp"
-#include "verification/files/protected_inputs.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 
 namespace slosh {
@@ -191,7 +190,7 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed, const Gate
 
 void write_gate_files(const reports::GateDocument& document, const fs::path& directory) {
   const auto write = [&](const char* name, const std::string& text) {
-    replace_file(directory / name, text, Durability::process_crash);
+    replace_own(directory / name, text);
   };
   write(junit_name, reports::junit_xml(document));
   write(gate_page_name, reports::gate_markdown(document));

@@ -14,6 +14,7 @@
 #include "verification/cli/campaign/assessed_campaign.hpp"
 #include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 #include "verification/input/case_file_error.hpp"
 
 namespace slosh {
@@ -35,7 +36,7 @@ std::vector<fs::path> results_in(const fs::path& directory) {
 int write_report_of_all(const CampaignOptions& options, const Installation& installation,
                         EarlierVerdicts& earlier) {
   const fs::path directory =
-      fs::absolute(options.output.empty() ? installation.build / "campaigns" : options.output);
+      whole(options.output.empty() ? installation.build / "campaigns" : options.output);
   std::vector<RecordedCampaign> campaigns;
   std::vector<std::string> left_out;
   for (const fs::path& file : results_in(directory)) try {
@@ -43,17 +44,17 @@ int write_report_of_all(const CampaignOptions& options, const Installation& inst
       campaigns.push_back(recorded_campaign(
           read_input(file), fs::relative(file.parent_path() / "index.html", directory).string()));
     } catch (const std::invalid_argument& error) {
-      left_out.push_back(file.lexically_relative(directory).string());
-      std::cerr << fmt::format("{}: {}; `slosh report NAME` writes the campaign's report anew\n",
-                               file.string(), error.what());
+      left_out.push_back(legible_message(file.lexically_relative(directory).string()));
+      std::cerr << legible_message(
+          fmt::format("{}: {}; `slosh report NAME` writes the campaign's report anew\n",
+                      file.string(), error.what()));
     }
   if (campaigns.empty())
     throw CaseFileError(fmt::format(
         "--all: expected reports of campaigns, NAME/report/results.json, in {}; `slosh campaign "
         "NAME` leaves one",
         directory.string()));
-  earlier.begin();
-  reports::require_replaceable(directory / "report");
+  earlier.begin({"report"});
   reports::Report report = report_of_campaigns(campaigns, left_out);
   const int status = exit_status(campaigns, left_out), asked = requested_exit(status, options);
   if (asked != status) report.results_json = with_exit_status(asked, report.results_json);

@@ -76,9 +76,8 @@ TimingDefinition timing_of(const CampaignDefinition& campaign, const CampaignOpt
 
 fs::path output_of(const CampaignOptions& options, const std::string& name,
                    const Installation& installation) {
-  return fs::absolute(options.output.empty()
-                          ? installation.build / "campaigns" / (name + form_of(options))
-                          : options.output);
+  return whole(options.output.empty() ? installation.build / "campaigns" / (name + form_of(options))
+                                      : options.output);
 }
 
 fs::path place_in(const fs::path& output, const RunSelection& selection) {

@@ -1,5 +1,7 @@
 #include "verification/files/foreign/legible_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/locale/utf.hpp>
 
@@ -49,6 +51,23 @@ std::string legible(std::string_view text) {
     }
   }
   return shown;
+}
+
+std::string legible_message(std::string_view text) {
+  constexpr std::size_t longest = 1000, first = 500, last = 300;
+  std::string shown;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = text.substr(begin, end - begin);
+    if (line.size() <= longest)
+      shown += line;
+    else
+      shown += fmt::format("{} ... ({} characters) ... {}", line.substr(0, first), line.size(),
+                           line.substr(line.size() - last));
+    if (end < text.size()) shown += '\n';
+    begin = end + 1;
+  }
+  return legible(shown);
 }
 
 }  // namespace slosh

@@ -12,4 +12,8 @@ namespace slosh {
 // U+202E, U+2066 to U+2069), U+FFFE and U+FFFF. U+FFFD stands for each byte that is no UTF-8.
 std::string legible(std::string_view text);
 
+// The same of a message that quotes what others wrote, of any length: a line of more than 1000
+// bytes keeps its first 500 and its last 300.
+std::string legible_message(std::string_view text);
+
 }  // namespace slosh

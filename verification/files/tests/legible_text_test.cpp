@@ -38,5 +38,14 @@ TEST(Legible, LeavesWhatPeopleWrite) {
     EXPECT_EQ(legible(text), text);
 }
 
+TEST(LegibleMessage, ShortensALongLineAndNoOther) {
+  const std::string as(10'000'000, 'a'), bs(400, 'b');
+  EXPECT_EQ(legible_message("x: row = " + as + ": expected 2 values\n" + bs + "\n"),
+            "x: row = " + as.substr(0, 491) + " ... (10000028 characters) ... " +
+                as.substr(0, 281) + ": expected 2 values\n" + bs + "\n");
+  EXPECT_EQ(legible_message("\x1b[31m" + bs), bs);
+  EXPECT_EQ(legible_message(""), "");
+}
+
 }  // namespace
 }  // namespace slosh::legible_text_test

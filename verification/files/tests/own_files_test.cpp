@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <memory>
 
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
@@ -29,24 +30,90 @@ class OwnFiles : public ::testing::Test {
   TemporaryDirectory temporary_;
 };
 
-TEST_F(OwnFiles, AreThoseThatWereClaimedBeforeTheyWereMade) {
-  claim(path() / "work/run.external");
-  EXPECT_TRUE(is_own(made("work/run.external/log").parent_path()));
-  EXPECT_NO_THROW(claim(path() / "work/run.external")) << "again";
-  const fs::path mine = made("work/mine.external/log").parent_path();
-  EXPECT_FALSE(is_own(mine));
-  EXPECT_THROW(claim(mine), fs::filesystem_error);
-  fs::create_symlink("nowhere", path() / "work/link");
-  EXPECT_THROW(claim(path() / "work/link"), fs::filesystem_error);
-  EXPECT_FALSE(is_own(path() / "nowhere/file"));
+TEST_F(OwnFiles, AreThoseThatAreAsSloshHasLeftThem) {
+  const fs::path file = path() / "work/table";
+  replace_own(file, "old");
+  EXPECT_NO_THROW(replace_own(file, "new")) << "again";
+  EXPECT_NO_THROW(require_own(path() / "work")) << "the directory with its list";
+  EXPECT_EQ(read_bytes(file), "new");
+  made("work/table");
+  EXPECT_EQ(foreign_at(path()), file);
+  EXPECT_THROW(replace_own(file, "newer"), fs::filesystem_error);
+  EXPECT_THROW(replace_own(made("work/mine"), "new"), fs::filesystem_error);
+  EXPECT_EQ(read_bytes(file), "a week of work");
+  std::ofstream(file, std::ios::trunc).flush();
+  EXPECT_NO_THROW(replace_own(file, "new")) << "nothing is lost with an empty file";
+}
+
+TEST_F(OwnFiles, LieBehindNoLinkAndAreNone) {
+  const fs::path target = made("elsewhere/file");
+  fs::create_directory_symlink(path() / "elsewhere", path() / "out");
+  EXPECT_THROW(replace_own(path() / "out/new", "new"), fs::filesystem_error);
+  fs::create_symlink(target, path() / "link");
+  fs::create_symlink("nowhere", path() / "dangling");
+  for (const char* link : {"link", "dangling"})
+    EXPECT_THROW(replace_own(path() / link, "new"), fs::filesystem_error) << link;
+  link_own("here", path() / "shown");
+  link_own("there", path() / "shown");
+  EXPECT_EQ(fs::read_symlink(path() / "shown"), "there");
+  EXPECT_THROW(link_own("here", path() / "link"), fs::filesystem_error);
+  EXPECT_EQ(read_bytes(target), "a week of work");
+  EXPECT_FALSE(fs::exists(path() / "elsewhere/new") || fs::exists(path() / "nowhere"));
 }
 
 TEST_F(OwnFiles, AreAllOfADirectoryButWhatWasAdded) {
   for (const char* file : {"report/index.html", "report/figures/a.svg"}) made(file);
-  claim_all_in(path() / "report");
-  EXPECT_FALSE(foreign_in(path() / "report"));
+  EXPECT_TRUE(foreign_at(path() / "report"));
+  list_all_in(path() / "report");
+  EXPECT_FALSE(foreign_at(path() / "report"));
   const fs::path mine = made("report/figures/mine.svg");
-  EXPECT_EQ(foreign_in(path() / "report"), mine);
+  EXPECT_EQ(foreign_at(path() / "report"), mine);
+}
+
+TEST_F(OwnFiles, AreNotToldByAListThatIsALinkOrACopy) {
+  replace_own(path() / "a/table", "new");
+  made("b/table");
+  fs::create_symlink(path() / "a/.slosh", path() / "b/.slosh");
+  EXPECT_TRUE(foreign_at(path() / "b/table"));
+  EXPECT_THROW(replace_own(path() / "b/other", "new"), fs::filesystem_error);
+  const auto open = [&] { return std::make_unique<OpenOutputs>(std::vector{path() / "a/log"}); };
+  const auto log = open();
+  made("a/log");
+  EXPECT_FALSE(foreign_at(path() / "a/log")) << "of a program that writes it now, or was killed";
+  made("c/log");
+  fs::copy(path() / "a/.slosh", path() / "c/.slosh");
+  EXPECT_TRUE(foreign_at(path() / "c/log"));
+}
+
+TEST_F(OwnFiles, AreOpenAsLongAsAProgramWritesThem) {
+  const std::vector places{path() / "work/log", path() / "work/run"};
+  {
+    const OpenOutputs outputs(places);
+    for (const char* file : {"work/log", "work/run/deep/result"}) made(file);
+  }
+  EXPECT_FALSE(foreign_at(path() / "work"));
+  { const OpenOutputs again(places); }
+  std::ofstream(path() / "work/log", std::ios::app) << "s";
+  EXPECT_EQ(foreign_at(path() / "work"), places[0]);
+  EXPECT_THROW(OpenOutputs{places}, fs::filesystem_error);
+  fs::remove(places[0]);
+  const fs::path mine = made("work/run/deep/mine");
+  EXPECT_EQ(foreign_at(path() / "work"), mine);
+}
+
+TEST_F(OwnFiles, OfAUsersNamingBelongToTheCommandThatLeftThem) {
+  const fs::path file = path() / "truth.csv";
+  replace_named(file, "old", "reference");
+  replace_named(file, "new", "reference");
+  EXPECT_EQ(read_bytes(file), "new");
+  EXPECT_THROW(replace_named(file, "newer", "export"), fs::filesystem_error);
+  EXPECT_THROW(OpenOutputs(file, "run"), fs::filesystem_error);
+  EXPECT_THROW(replace_named(made("record.csv"), "new", "reference"), fs::filesystem_error);
+  fs::create_directory(path() / "disk");
+  fs::create_symlink("disk/big.csv", path() / "big.csv");
+  replace_named(path() / "big.csv", "new", "reference");
+  EXPECT_EQ(read_bytes(path() / "disk/big.csv"), "new");
+  EXPECT_TRUE(fs::is_symlink(path() / "big.csv"));
 }
 
 TEST_F(OwnFiles, AreReplacedBesideOthersOfATemporaryName) {

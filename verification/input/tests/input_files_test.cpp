@@ -57,5 +57,22 @@ TEST_F(InputFiles, BehindLinksCountAndACircleOfLinksEnds) {
   EXPECT_EQ(names("src"), (Names{"a.py", "b.py", "deep/c.py", "linked/d.py"}));
 }
 
+TEST_F(InputFiles, OfADirectoryThatCannotBeListedAreRefusedWithItsName) {
+  const fs::path before = fs::current_path();
+  fs::current_path(in() / "src/deep");
+  for (int i = 0; i < 20; ++i) {  // more than a path may be long
+    fs::create_directory(std::string(250, 'd'));
+    fs::current_path(std::string(250, 'd'));
+  }
+  fs::current_path(before);
+  try {
+    input_files(in() / "src");
+    FAIL();
+  } catch (const fs::filesystem_error& error) {
+    EXPECT_NE(std::string(error.what()).find("cannot list all files below"), std::string::npos);
+    EXPECT_EQ(error.path1(), in() / "src");
+  }
+}
+
 }  // namespace
 }  // namespace slosh::input_files_test

@@ -148,9 +148,7 @@ TEST_F(Store, RemovesAllThatItHasMadeUnderAKeyAndNothingOfAnother) {
       store.file(removed_key, "").parent_path() / ("." + answer + ".h5.1.partial");
   std::ofstream(half) << "{\n \"body\": ";
   const fs::path work = store.file(removed_key, ".work");
-  claim(work);
-  fs::create_directories(work / "case");
-  std::ofstream(work / "case/log") << "0123456789";
+  replace_own(work / "case/log", "0123456789");
   EXPECT_EQ(store.contents(removed_key).made.size(), 5u);
   EXPECT_EQ(store.contents(removed_key).size, store.size(removed_key));
   EXPECT_TRUE(store.remove(removed_key));
@@ -164,8 +162,10 @@ TEST_F(Store, RemovesNothingThatOnlyLooksLikeWhatItHasMade) {
   for (const char* extension : {".json", ".timings.json", ".failure.json", ".txt", ""})
     put(removed_key, extension);
   put(removed_key, ".lock");
-  for (const char* extension : {".work", ".notes"})  // not on the list of what Slosh has made
-    fs::create_directories(store.file(removed_key, extension) / "mine");
+  for (const char* extension : {".work", ".notes"}) {  // not on the list of what Slosh has made
+    fs::create_directories(store.file(removed_key, extension));
+    std::ofstream(store.file(removed_key, extension) / "mine") << "x";
+  }
   fs::create_symlink("elsewhere", store.file(removed_key, ".timing.work"));
   const auto count = [&] {
     return std::distance(fs::directory_iterator(directory.path() / question), {});
@@ -175,6 +175,16 @@ TEST_F(Store, RemovesNothingThatOnlyLooksLikeWhatItHasMade) {
   EXPECT_TRUE(store.contents(removed_key).made.empty());
   EXPECT_TRUE(store.remove(removed_key));
   EXPECT_EQ(count(), before);
+}
+
+TEST_F(Store, RemovesNoWorkDirectoryWithAFileOfAUsers) {
+  put_result(store, removed_key, removed_key);
+  const fs::path work = store.file(removed_key, ".work");
+  replace_own(work / "log", "0123456789");
+  std::ofstream(work / "mine") << "a week of work";
+  EXPECT_TRUE(store.remove(removed_key));
+  EXPECT_TRUE(fs::exists(work / "mine"));
+  EXPECT_FALSE(fs::exists(store.file(removed_key, ".h5")));
 }
 
 TEST_F(Store, TakesNoResultForItsOwnThatWasCutAlteredOrFollowedByMore) {

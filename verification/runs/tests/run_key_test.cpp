@@ -405,6 +405,8 @@ TEST_F(RunKey, OfAnExternalRunChangesWithAnArgumentThatIsAFile) {
                       "gen.py",
                       "{case_directory}/table.csv",
                       "--settings=fine.cfg",
+                      "@more.cfg",
+                      "--most=@most.cfg",
                       "{case_file}",
                       "{work_directory}/out.csv"};
   external.directory = elsewhere;
@@ -418,7 +420,8 @@ TEST_F(RunKey, OfAnExternalRunChangesWithAnArgumentThatIsAFile) {
   EXPECT_TRUE(changes_with(directory.path() / "gen.py")) << "relative to the case file";
   EXPECT_TRUE(changes_with(elsewhere / "gen.py")) << "relative to the run's directory";
   EXPECT_TRUE(changes_with(directory.path() / "table.csv"));
-  EXPECT_TRUE(changes_with(elsewhere / "fine.cfg"));
+  for (const char* file : {"fine.cfg", "more.cfg", "most.cfg"})
+    EXPECT_TRUE(changes_with(elsewhere / file)) << file;
   EXPECT_FALSE(changes_with(definition.file)) << "of it the physics counts";
   EXPECT_FALSE(changes_with(directory.path() / "unnamed.cfg"));
 }

@@ -60,6 +60,9 @@ std::string unlisted_script(const ExternalRun& external, const CaseDefinition& d
   for (InputFile& input : external_inputs(external, definition)) files.push_back(input.file);
   for (const fs::path& file : files)
     if (begins_as_script(file)) return file.filename().string();
+  if (!external.directory.empty()) return external.directory.filename().string();
+  for (const fs::path& path : argument_paths(external, definition))
+    if (std::error_code none; fs::is_directory(path, none)) return path.lexically_normal().string();
   return "";
 }
 
@@ -74,8 +77,8 @@ std::string script_doubt(const RunDefinition& run, const CaseDefinition& definit
   const std::string script = has_place ? unlisted_script(*external, definition) : "";
   if (script.empty()) return "";
   return fmt::format(
-      "run {}: what {} loads is no part of its key: its result is kept when that changes; `inputs` "
-      "would name it",
+      "run {}: what {} loads or holds is no part of its key: its result is kept when that changes; "
+      "`inputs` would name it",
       run.name, script);
 }
 

@@ -23,12 +23,14 @@ class UnlistedScript : public ::testing::Test {
     std::ofstream(directory_.path() / name) << text;
   }
   std::string script(const std::vector<std::string>& command,
-                     const std::vector<std::filesystem::path>& inputs = {}) const {
+                     const std::vector<std::filesystem::path>& inputs = {},
+                     const std::filesystem::path& place = {}) const {
     CaseDefinition definition = sample_case();
     definition.file = directory_.path() / "small.toml";
     ExternalRun external;
     external.command = command;
     external.inputs = inputs;
+    external.directory = place;
     return unlisted_script(external, definition);
   }
 
@@ -48,6 +50,15 @@ TEST_F(UnlistedScript, IsNoneOfAProgramOfADeclaredInputOrOfOurDriver) {
   EXPECT_EQ(script({"python3", "gen.py"}, {directory_.path() / "gen.py"}), "");
   EXPECT_EQ(script({"./run.sh"}, {directory_.path() / "solve"}), "");
   EXPECT_EQ(script({"{peers_directory}/pysph_tank.py"}), "");
+}
+
+TEST_F(UnlistedScript, IsAlsoADirectoryThatAProgramStartsInOrIsGiven) {
+  std::filesystem::create_directory(directory_.path() / "tables");
+  EXPECT_EQ(script({"./solve"}, {}, directory_.path() / "tables"), "tables");
+  EXPECT_EQ(script({"./solve"}, {directory_.path() / "solve"}, directory_.path() / "tables"), "");
+  for (const char* word : {"tables", "--tables=tables", "{case_directory}/tables", "-T=@tables"})
+    EXPECT_NE(script({"./solve", word}).find("tables"), std::string::npos) << word;
+  EXPECT_EQ(script({"./solve", "absent", "", "--tables=", "@"}), "");
 }
 
 TEST_F(UnlistedScript, ACommandWithoutTheSpacingThatItsRunsDifferInIsDoubtful) {
