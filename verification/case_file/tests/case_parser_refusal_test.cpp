@@ -224,6 +224,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"WindowBeforeStart",
                 {"begin_s = 1.0", "begin_s = -1.0"},
                 "trial.toml:32: comparison.window_begin_s = -1.0: expected a number >= 0, in s"},
+        Mistake{"WindowAfterEnd",
+                {"window_begin_s = 1.0\nwindow_end_s = 20.0", "window_begin_s = 20.0"},
+                "trial.toml:32: comparison.window_begin_s = 20.0: expected a number below the "
+                "duration (20), in s"},
         Mistake{"WindowBeyondEnd",
                 {"end_s = 20.0", "end_s = 20.5"},
                 "trial.toml:33: comparison.window_end_s = 20.5: expected a number above "
