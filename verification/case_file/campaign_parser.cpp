@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/key_table.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/definition_file.hpp"
 #include "verification/input/input_files.hpp"
 #include "verification/input/toml_reader.hpp"
 
 namespace slosh {
+
+using namespace key;
+using namespace needed;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,16 +48,6 @@ fs::path find_member(const PlacedText& member, const CampaignDefinition& campaig
   return file;
 }
 
-TimingDefinition read_timing(const TomlTable& timing) {
-  timing.allow_only(keys_of("timing"));
-  TimingDefinition read;
-  read.repeats = timing.get("repeats", at_least(1));
-  read.longest_run = timing.find("longest_run_s", positive("s")).value_or(read.longest_run);
-  if (timing.has("only"))
-    for (const PlacedText& one : timing.texts("only", any_text())) read.only.push_back(one.text);
-  return read;
-}
-
 void read_head(const TomlTable& head, CampaignDefinition& campaign) {
   head.allow_only(keys_of("campaign"));
   campaign.name = head.get("name", file_safe_name());
@@ -64,6 +57,16 @@ void read_head(const TomlTable& head, CampaignDefinition& campaign) {
 }
 
 }  // namespace
+
+const FieldTable<TimingDefinition> timing_table{
+    {"timing", "[timing]", "no",
+     "Repeats of the runs, each alone on the machine after all other runs."},
+    {field("repeats", &TimingDefinition::repeats, integer().at_least(1), yes,
+           "The number of repeats of each run."),
+     field("longest_run_s", &TimingDefinition::longest_run, number("s").above(0), no,
+           "Runs that took more processor time than this are not repeated. Default: 60."),
+     field("only", &TimingDefinition::only, list("list of texts"), no,
+           "Patterns CASE or CASE/RUN of what is repeated. Default: all.")}};
 
 CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_directory,
                                  const std::vector<KnownProblem>& known_problems) {
@@ -84,7 +87,7 @@ CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_dire
   if (root.has("timing"))
     complaints.allow([&] {
       root.table("timing").read_all(
-          [&](const TomlTable& timing) { campaign.timing = read_timing(timing); });
+          [&](const TomlTable& timing) { campaign.timing = timing_table.read_all(timing, {}); });
     });
   if (root.has("cases") || !root.has("problem")) {
     std::vector<PlacedText> members;

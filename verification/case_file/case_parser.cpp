@@ -140,7 +140,7 @@ class CaseReader {
     liquid_ = tank_ && allow_at("liquid", [&] {
                 definition_.liquid = read_whole(
                     root_.table("liquid"),
-                    [&](const TomlTable& liquid) { return read_liquid(liquid, definition_.tank); });
+                    [&](const TomlTable& liquid) { return read_liquid(liquid, definition_); });
               });
     if (liquid_) allow([&] { read_gas(); });
     time_ = allow_at("time", [&] {
@@ -168,7 +168,7 @@ class CaseReader {
     definition_.gas = air;
     if (root_.has("gas") || !(air.density < definition_.liquid.density))
       definition_.gas = read_whole(root_.table("gas"), [&](const TomlTable& gas) {
-        return slosh::read_gas(gas, definition_.liquid);
+        return gas_table.read_all(gas, definition_);
       });
   }
 
@@ -177,7 +177,8 @@ class CaseReader {
     if (!tank_ || !time_ || !(liquid_ || is_rectangle(definition_.tank))) return;
     gauges_ = each_named(
         "gauge", definition_.gauges,
-        [&](const TomlTable& gauge) { return read_gauge(gauge, definition_); }, &refused_gauges_);
+        [&](const TomlTable& gauge) { return gauge_table.read_all(gauge, definition_); },
+        &refused_gauges_);
     gauges_ &= each_named(
         "pressure_gauge", definition_.pressure_gauges,
         [&](const TomlTable& gauge) { return read_pressure_gauge(gauge, definition_); },

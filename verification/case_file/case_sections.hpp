@@ -9,15 +9,40 @@
 
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
+#include "verification/case_file/key_table.hpp"
 #include "verification/input/toml_reader.hpp"
 
 namespace slosh {
 
-// Read [tank], [liquid] and [gas], in this order. Without properties a liquid is water; without
-// [gas] the gas is air.
+// The keys of the tables that a struct holds.
+extern const FieldTable<TankDefinition> tank_table;
+extern const FieldTable<LiquidDefinition> liquid_table;
+extern const FieldTable<GasDefinition> gas_table;
+extern const FieldTable<ObstacleDefinition> obstacle_table;
+extern const FieldTable<InitialWaveDefinition> initial_wave_table;
+extern const FieldTable<CaseDefinition> time_table;
+extern const FieldTable<CaseDefinition> comparison_table;
+struct Animation {
+  double begin, end, interval;  // [s]
+};
+extern const FieldTable<Animation> animation_table;
+extern const FieldTable<GaugeDefinition> gauge_table;
+extern const FieldTable<PressureGaugeDefinition> pressure_gauge_table;
+extern const FieldTable<ProbeDefinition> probe_table;
+extern const FieldTable<ImpactsDefinition> impacts_table;
+extern const FieldTable<SphRun> sph_table;
+extern const FieldTable<InterFoamRun> interfoam_table;
+extern const FieldTable<LinearRun> linear_table;
+extern const FieldTable<ViscousWaveRun> viscous_wave_table;
+extern const FieldTable<PotentialRun> potential_table;
+extern const FieldTable<ExternalRun> external_table;
+extern const FieldTable<StoredRun> stored_table;
+extern const FieldTable<SeriesSource> series_table;
+extern const FieldTable<TimingDefinition> timing_table;
+
+// Read [tank] and [liquid], in this order. Without properties a liquid is water.
 TankDefinition read_tank(const TomlTable& tank);
-LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank);
-GasDefinition read_gas(const TomlTable& gas, const LiquidDefinition& liquid);
+LiquidDefinition read_liquid(const TomlTable& liquid, const CaseDefinition& definition);
 
 // Whether [tank] tells a tank that is no rectangle, and the reading of its outline.
 bool tells_outline(const TomlTable& tank);
@@ -90,9 +115,7 @@ struct TableFile {
 TableMotion read_surge_table(const TableFile& table);
 TableMotion read_roll_table(const TableFile& table);
 
-// Read [[gauge]] and [[pressure_gauge]]. The definition's tank and sample interval must have been
-// read, and the liquid of a tank that is no rectangle.
-GaugeDefinition read_gauge(const TomlTable& gauge, const CaseDefinition& definition);
+// Reads [[pressure_gauge]]. The definition's tank and sample interval must have been read.
 PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
                                             const CaseDefinition& definition);
 

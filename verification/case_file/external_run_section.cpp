@@ -7,12 +7,15 @@
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/key_table.hpp"
 #include "verification/input/definition_file.hpp"
 #include "verification/input/input_files.hpp"
 #include "verification/input/units.hpp"
 
 namespace slosh {
+
+using namespace key;
+using namespace needed;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +37,7 @@ fs::path stored_file(const TomlTable& table, const char* key, const CaseDefiniti
 enum class Files { below_work_directory, beside_case_file };
 
 SeriesSource read_series(const TomlTable& series, const CaseDefinition& definition, Files files) {
-  series.allow_only(keys_of("run.series"));
+  series.allow_only(series_table.names());
   SeriesSource source;
   source.quantity =
       series.choice("quantity", "a compared quantity", compared_quantities(definition));
@@ -42,23 +45,18 @@ SeriesSource read_series(const TomlTable& series, const CaseDefinition& definiti
   source.file = files == Files::beside_case_file
                     ? stored_file(series, "file", definition)
                     : fs::path(series.get("file", path_below("a file's", work_directory)));
-  source.format = series.get("format", any_text());
-  source.column = series.get("column", any_text());
+  series_table.read_into(series, definition, source);
+  source.offset = series.find("offset", any_number(unit)).value_or(source.offset);
   if (series.has("unit"))
     source.unit = series.choice("unit", "a unit of " + source.quantity, unit_names(unit));
-  source.time_column = series.find("time_column", any_text()).value_or("");
   if (series.has("time_unit"))
     source.time_unit = series.choice("time_unit", "a unit of time", unit_names("s"));
-  source.scale = series.find("scale", not_zero("1")).value_or(source.scale);
-  source.offset = series.find("offset", any_number(unit)).value_or(source.offset);
-  source.time_offset = read_time_offset(series);
   if (series.has("datum")) {
     series.choice("datum", "a datum", {"first"});
     if (series.has("offset"))
       series.refuse("datum", "no datum beside an offset, or no offset beside a datum");
     source.first_is_zero = true;
   }
-  source.whole_tank = series.flag("whole_tank");
   return source;
 }
 
@@ -91,9 +89,7 @@ std::vector<std::string> read_command(const TomlTable& run, const char* key) {
 }
 
 // A method's runs are told apart by their spacings, and a spacing alone is of no use.
-void read_method(const TomlTable& run, const CaseDefinition& definition, ExternalRun& external) {
-  external.method = run.find("method", file_safe_name()).value_or("");
-  external.particle_spacing = run.find("particle_spacing_m", a_particle_spacing(definition));
+void refuse_half_a_method(const TomlTable& run, const ExternalRun& external) {
   if (external.particle_spacing && external.method.empty())
     run.refuse("method", "the name of the method, beside particle_spacing_m");
   if (!external.method.empty() && !external.particle_spacing)
@@ -102,8 +98,90 @@ void read_method(const TomlTable& run, const CaseDefinition& definition, Externa
 
 }  // namespace
 
+const FieldTable<ExternalRun> external_table{
+    key_table("run.external", "[[run]] with solver = \"external\"", "no",
+              "A program of yours, started without a shell: see [Other solvers](other_solvers.md).",
+              {}, {"external"}),
+    {{{"command", list("list of texts"), yes,
+       "The program and its arguments. {case_file}, {case_directory}, {work_directory}, "
+       "{tank_file}, {peers_directory}, {duration_s}, {sample_interval_s} and {particle_spacing_m} "
+       "are filled in. A program with a / in its name is found relative to the case file, another "
+       "on the PATH."}},
+     field("method", &ExternalRun::method, name(), beside("particle_spacing_m").when({}),
+           "What the program solves the case with. Runs of one method differ in their spacing "
+           "alone, as those of an SPH scheme do: they have an order, a cost of an error and a "
+           "curve in each figure. No run and no scheme of the case has this name."),
+     field("particle_spacing_m", &ExternalRun::particle_spacing,
+           number("m").above(0).at_most(fill_depth).by(a_particle_spacing),
+           beside("method").when({}),
+           "The spacing of the particles, another one in each run of the method."),
+     {{"directory", text("path, relative to the case file"), no,
+       "Where the program starts. Default: a fresh work directory."}},
+     field("time_limit_s", &ExternalRun::time_limit, number("s").above(0), no,
+           "The longest wall-clock time that the program may take."),
+     {{"inputs", list("list of paths or patterns, relative to the case file"), no,
+       "Files, directories with all below them, and patterns of either that count as part of the "
+       "run: a change of one file makes the run be computed again."}},
+     {{"fail_on", list("list of texts"), no,
+       "Regular expressions (RE2). A line of the program's log that one of them matches makes the "
+       "run fail."}},
+     field("cores", &ExternalRun::cores, integer().at_least(1), no,
+           "The number of cores to which the program is bound, and its OMP_NUM_THREADS. Default: "
+           "it is not bound."),
+     {{"version_command", list("list of texts"), no,
+       "A program and its arguments, as in command, of which the first line of output is the "
+       "version that the report names. It has a minute."}},
+     {{"facts", text("path below the work directory"), no,
+       "A JSON file in which the program tells its numbers of particles and steps and its costs: "
+       "see [What the program tells of "
+       "itself](other_solvers.md#what-the-program-tells-of-itself)."}},
+     {{"series", tables("[[run.series]]"), yes, "One table or more, below."}}}};
+
+const FieldTable<StoredRun> stored_table{
+    key_table(
+        "run.stored", "[[run]] with solver = \"stored\"", "no",
+        "A result that another code left elsewhere: it is read, and no program is started. See "
+        "[Stored results](other_solvers.md#stored-results).",
+        {}, {"stored"}),
+    {field("method", &StoredRun::method, name(), yes, "The same as for an external run."),
+     field("particle_spacing_m", &StoredRun::particle_spacing,
+           number("m").above(0).at_most(fill_depth).by(a_particle_spacing), yes,
+           "The spacing of the particles, another one in each run of the method."),
+     {{"facts", text("path, relative to the case file"), yes,
+       "A JSON file: which code, when and on which machine, and what the run took."}},
+     {{"series", tables("[[run.series]]"), yes, "One table or more, below."}}}};
+
+const FieldTable<SeriesSource> series_table{
+    {"run.series", "[[run.series]]", "with solver = \"external\" or \"stored\", one or more",
+     "A series that the program leaves."},
+    {{{"quantity", text("compared quantity"), yes, "Each quantity may appear once."}},
+     {{"file", text("path"), yes,
+       "The file that the program writes, below the work directory; of a stored run the file that "
+       "is read, relative to the case file."}},
+     field("format", &SeriesSource::format, text(), yes, "One of the formats of `./slosh import`."),
+     field("column", &SeriesSource::column, text(), yes,
+           "The column, or the path of an HDF5 data set."),
+     {{"unit", text("unit of the quantity"), where("where the file does not say it"),
+       "The unit of the column."}},
+     field("time_column", &SeriesSource::time_column, text(), with("format", "csv").when({}),
+           "The column of times of a csv or hdf5 file; other formats refuse it."),
+     {{"time_unit", one_of({"s", "ms", "min"}), where("where a csv or hdf5 file does not say it"),
+       "The unit of the times of such a file; other formats refuse it."}},
+     field("time_offset_s", &SeriesSource::time_offset, number("s"), no,
+           "Added to the file's times. Default: 0."),
+     field("scale", &SeriesSource::scale, number().other_than_zero(), no,
+           "The series is scale times the column plus offset. Default: 1."),
+     {{"offset", number("the quantity's unit"), no, "Default: 0."}},
+     {{"datum", one_of({"first"}), no,
+       "With `first` the first value counts as zero, in place of an offset."}},
+     field("whole_tank", &SeriesSource::whole_tank, flag(), no,
+           "Whether the force of a gauge of DualSPHysics is that on the whole tank. Without it "
+           "such a file gives the force on one wall, `force_x@WALL`.")}};
+
 ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition) {
-  ExternalRun external;
+  ExternalRun external{};
+  external_table.read_into(run, definition, external);
+  refuse_half_a_method(run, external);
   external.command = read_command(run, "command");
   if (run.has("version_command")) external.version_command = read_command(run, "version_command");
   if (const auto directory = run.find("directory", any_text())) {
@@ -112,7 +190,6 @@ ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& defini
       run.refuse("directory", "a directory relative to the case file; there is no " +
                                   external.directory.string());
   }
-  external.time_limit = run.find("time_limit_s", positive("s"));
   if (run.has("inputs"))
     for (const PlacedText& input : run.texts("inputs", any_text())) {
       external.inputs.push_back(beside_case(definition, input.text));
@@ -125,18 +202,17 @@ ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& defini
   if (run.has("fail_on"))
     for (const PlacedText& pattern : run.texts("fail_on", a_pattern))
       external.fail_on.push_back(pattern.text);
-  external.cores = run.find("cores", at_least(1));
-  read_method(run, definition, external);
   if (run.has("facts")) external.facts = run.get("facts", path_below("a file's", work_directory));
   external.series = read_all_series(run, definition, Files::below_work_directory);
   return external;
 }
 
 StoredRun read_stored_run(const TomlTable& run, const CaseDefinition& definition) {
-  return {.series = read_all_series(run, definition, Files::beside_case_file),
-          .method = run.get("method", file_safe_name()),
-          .particle_spacing = run.get("particle_spacing_m", a_particle_spacing(definition)),
-          .facts = stored_file(run, "facts", definition)};
+  StoredRun stored{};
+  stored_table.read_into(run, definition, stored);
+  stored.series = read_all_series(run, definition, Files::beside_case_file);
+  stored.facts = stored_file(run, "facts", definition);
+  return stored;
 }
 
 ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definition) {

@@ -6,11 +6,14 @@
 #include "verification/case/shape/outline.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/key_table.hpp"
 #include "verification/input/input_files.hpp"
 #include "verification/input/tables/peak_table.hpp"
 
 namespace slosh {
+
+using namespace key;
+using namespace needed;
+
 namespace {
 
 std::vector<std::string> pressure_gauge_names(const CaseDefinition& definition) {
@@ -22,82 +25,63 @@ std::vector<std::string> pressure_gauge_names(const CaseDefinition& definition) 
 
 // Each impact is sought within a quarter of a period of its time (impact_peaks.hpp). These
 // intervals must lie within the run and must not overlap.
-std::vector<double> read_times(const TomlTable& impacts, double period, double duration) {
-  const double margin = period / 4;
-  const Rule<double> inside_the_run{
-      fmt::format("a number from {:.6g} to {:.6g}, in s: a quarter of the period inside the run",
-                  margin, duration - margin),
-      [=](double time) { return time >= margin && time <= duration - margin; }};
-  std::vector<double> times = impacts.increasing_numbers("times_s", inside_the_run);
+void refuse_times(const TomlTable& impacts, const ImpactsDefinition& read, double duration) {
+  const double margin = read.period / 4;
+  const std::vector<double>& times = read.times;
   if (times.empty()) impacts.refuse("times_s", "an array of at least one number, in s");
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (!(times[i] >= margin && times[i] <= duration - margin))
+      impacts.refuse_element("times_s", i,
+                             fmt::format("a number from {:.6g} to {:.6g}, in s: a quarter of the "
+                                         "period inside the run",
+                                         margin, duration - margin));
   for (std::size_t i = 1; i < times.size(); ++i)
     if (!(times[i] - times[i - 1] >= 2 * margin))
       impacts.refuse("times_s", fmt::format("numbers at least half a period ({:.6g}) apart, in s",
                                             2 * margin));
-  return times;
+  if (impacts.has("sought_within_s") && times.size() > 1)
+    impacts.refuse("sought_within_s", "period_s in its place where there are several times_s");
 }
 
-std::vector<double> read_of_each_impact(const TomlTable& impacts, const char* key, const char* unit,
-                                        std::size_t count) {
-  std::vector<double> values = impacts.numbers(key, positive(unit));
-  if (values.size() != count)
-    impacts.refuse(key, fmt::format("as many numbers as times_s has, {}, in {}", count, unit));
-  return values;
+void refuse_other_counts(const TomlTable& impacts, std::size_t count) {
+  for (const auto& [key, unit] : {std::pair{"peaks_Pa", "Pa"},
+                                  {"peaks_sd_Pa", "Pa"},
+                                  {"arrivals_s", "s"},
+                                  {"impulses_Pa_s", "Pa s"},
+                                  {"rise_times_s", "s"}})
+    if (impacts.has(key) && impacts.numbers(key, any_number(unit)).size() != count)
+      impacts.refuse(key, fmt::format("as many numbers as times_s has, {}, in {}", count, unit));
 }
 
-// The motion's period; of a single impact, which no period brings, four times the time within which
-// it is sought.
-double read_period(const TomlTable& impacts) {
-  if (!impacts.has("sought_within_s")) return impacts.get("period_s", positive("s"));
-  if (impacts.has("period_s"))
+// The keys that need another one beside them.
+void refuse_lonely_keys(const TomlTable& impacts) {
+  if (impacts.has("sought_within_s") && impacts.has("period_s"))
     impacts.refuse("sought_within_s", "no such key beside period_s, a quarter of which it is");
-  return 4 * impacts.get("sought_within_s", positive("s"));
+  const auto refuse = [&](const char* key, bool alone, const char* without) {
+    if (impacts.has(key) && alone)
+      impacts.refuse(key, fmt::format("no such key without {}", without));
+  };
+  const bool arrivals = impacts.has("arrival_share") || impacts.has("arrivals_s"),
+             impulses = impacts.has("impulse_duration_s") || impacts.has("impulses_Pa_s");
+  for (const char* key :
+       {"arrivals_half_width_s", "impulse_duration_s", "impulses_Pa_s", "impulses_half_width_Pa_s"})
+    refuse(key, !arrivals, "arrival_share and arrivals_s");
+  refuse("impulses_half_width_Pa_s", !impulses, "impulses_Pa_s");
+  refuse("rise_times_half_width_s", !impacts.has("rise_times_s"), "rise_times_s");
 }
 
-void read_plateau(const TomlTable& impacts, double duration, ImpactsDefinition& read) {
-  read.plateau_half_width = impacts.find("plateau_half_width_Pa", positive("Pa"));
-  bool given = read.plateau_half_width.has_value();
-  for (const char* key : {"plateau_begin_s", "plateau_end_s", "plateau_Pa"})
+const Bound half_the_sampling_rate{
+    "half the sampling rate", [](const CaseDefinition& it) { return 0.5 / it.sample_interval; }};
+
+bool has_period(const TomlTable& impacts) { return !impacts.has("sought_within_s"); }
+
+// A case of repeated impacts must publish a plateau.
+bool tells_plateau(const TomlTable& impacts) {
+  bool given = has_period(impacts);
+  for (const char* key :
+       {"plateau_begin_s", "plateau_end_s", "plateau_Pa", "plateau_half_width_Pa"})
     given |= impacts.has(key);
-  // A case of repeated impacts must publish one, as it always had to.
-  if (!given && impacts.has("sought_within_s")) return;
-  read.plateau_begin = impacts.get("plateau_begin_s", not_negative("s"));
-  read.plateau_end =
-      impacts.get("plateau_end_s", end_after("plateau_begin_s", read.plateau_begin, duration));
-  read.plateau = impacts.get("plateau_Pa", positive("Pa"));
-}
-
-void read_arrivals(const TomlTable& impacts, ImpactsDefinition& read) {
-  if (!impacts.has("arrival_share") && !impacts.has("arrivals_s")) {
-    for (const char* key : {"arrivals_half_width_s", "impulse_duration_s", "impulses_Pa_s",
-                            "impulses_half_width_Pa_s"})
-      if (impacts.has(key)) impacts.refuse(key, "no such key without arrival_share and arrivals_s");
-    return;
-  }
-  const Rule<double> a_share{"a number > 0 and < 1, of the published peak",
-                             [](double share) { return share > 0 && share < 1; }, 0.5};
-  read.arrivals =
-      ArrivalsDefinition{impacts.get("arrival_share", a_share),
-                         read_of_each_impact(impacts, "arrivals_s", "s", read.times.size()),
-                         impacts.find("arrivals_half_width_s", positive("s"))};
-  if (!impacts.has("impulse_duration_s") && !impacts.has("impulses_Pa_s")) {
-    if (impacts.has("impulses_half_width_Pa_s"))
-      impacts.refuse("impulses_half_width_Pa_s", "no such key without impulses_Pa_s");
-    return;
-  }
-  read.impulses =
-      ImpulsesDefinition{impacts.get("impulse_duration_s", positive("s")),
-                         read_of_each_impact(impacts, "impulses_Pa_s", "Pa s", read.times.size()),
-                         impacts.find("impulses_half_width_Pa_s", positive("Pa s"))};
-}
-
-void read_rise_times(const TomlTable& impacts, ImpactsDefinition& read) {
-  if (impacts.has("rise_times_s"))
-    read.rise_times =
-        RiseTimesDefinition{read_of_each_impact(impacts, "rise_times_s", "s", read.times.size()),
-                            impacts.find("rise_times_half_width_s", positive("s"))};
-  else if (impacts.has("rise_times_half_width_s"))
-    impacts.refuse("rise_times_half_width_s", "no such key without rise_times_s");
+  return given;
 }
 
 void read_repeats(const TomlTable& impacts, const std::filesystem::path& experiments,
@@ -175,19 +159,117 @@ double read_place_on_outline(const TomlTable& gauge, const TankDefinition& tank,
 
 }  // namespace
 
-GaugeDefinition read_gauge(const TomlTable& gauge, const CaseDefinition& definition) {
-  gauge.allow_only(keys_of("gauge"));
-  return {.name = gauge.get("name", file_safe_name()),
-          .x = gauge.get("x_m", over_still_surface(definition))};
-}
+const FieldTable<GaugeDefinition> gauge_table{
+    {"gauge", "[[gauge]]", "at least one gauge of either kind",
+     "A gauge of the surface's elevation. SPH measures the depth of liquid there, so a gauge "
+     "should stand six particle spacings away from an obstacle: nearer, it reads too low."},
+    {field("name", &GaugeDefinition::name, name(), yes, "The NAME in elevation@NAME."),
+     field("x_m", &GaugeDefinition::x, number("m").from(0, tank_length).by(over_still_surface), yes,
+           "The distance from the left wall. In a tank that is no rectangle it lies where the "
+           "still surface reaches at the fill depth.")}};
+
+const FieldTable<PressureGaugeDefinition> pressure_gauge_table{
+    {"pressure_gauge", "[[pressure_gauge]]", "at least one gauge of either kind",
+     "A pressure sensor in a wall."},
+    {field("name", &PressureGaugeDefinition::name, name(), yes, "The NAME in wall_pressure@NAME."),
+     {{"wall", one_of({"left", "right", "bottom", "roof"}), where("in a rectangular tank")}},
+     {{"position_m", number("m").at_least(0), where("in a rectangular tank"),
+       "The middle of the sensor: above the bottom, or on the bottom or the roof from the left "
+       "wall; within that wall."}},
+     {{"x_m", number("m"), where("in another tank"),
+       "With z_m: the middle of the sensor, a place on the outline to within a millionth of the "
+       "tank's size."}},
+     {{"z_m", number("m"), where("in another tank")}},
+     {{"width_m", number("m").at_least(0), no,
+       "The sensor's extent along the wall. The whole sensor must lie on the wall, of an outline "
+       "on one side. Default: 0, a point."}},
+     field("filter_cutoff_Hz", &PressureGaugeDefinition::filter_cutoff,
+           number("Hz").above(0).below(half_the_sampling_rate), no,
+           "Adds the series wall_pressure@NAME/filtered, through a low-pass filter.")}};
+
+const FieldTable<ProbeDefinition> probe_table{
+    {"probe", "[[probe]]", "no",
+     "A place in the tank, which moves with it, where velocity and pressure are recorded. The "
+     "velocity is relative to the tank, along its axes. While the surface is below the place, "
+     "all three are 0. Linear theory records them only at a place below the still level, as it "
+     "has no liquid above it."},
+    {field("name", &ProbeDefinition::name, name(), yes,
+           "The NAME in velocity_x@NAME, velocity_z@NAME and pressure@NAME."),
+     field("x_m", &ProbeDefinition::x,
+           number("m").from(0, tank_length).noting(" from the left wall"), yes,
+           "The distance from the left wall. The place lies inside the tank's outline."),
+     field("z_m", &ProbeDefinition::z, number("m").from(0, tank_height).noting(" from the bottom"),
+           yes, "The height above the bottom.")}};
+
+const FieldTable<ImpactsDefinition> impacts_table{
+    {"impacts", "[impacts]", "no",
+     "Published impacts on a pressure gauge, for the metrics of impacts."},
+    {{{"gauge", text("name of a pressure gauge"), yes}},
+     field("times_s", &ImpactsDefinition::times, increasing_list_of(number("s")), yes,
+           "The published times of the peaks, one or more, at least half a period apart and a "
+           "quarter of it inside the run."),
+     field("period_s", &ImpactsDefinition::period, number("s").above(0),
+           where("where sought_within_s is absent").when(has_period),
+           "The period of the motion that brings the impacts."),
+     field("sought_within_s", &ImpactsDefinition::period, number("s").above(0), no,
+           "In place of period_s, for a single impact: it is sought this long to either side of "
+           "its time, of which a quarter of the period is the measure otherwise.",
+           4),
+     field("peaks_Pa", &ImpactsDefinition::peak_means, list_of(number("Pa").above(0)), yes,
+           "The published mean peak of each impact: as many as times_s."),
+     field("peaks_sd_Pa", &ImpactsDefinition::peak_deviations, list_of(number("Pa").above(0)),
+           beside("period_s").when(has_period),
+           "The standard deviation of each, over the repeats."),
+     field("peaks_half_width_Pa", &ImpactsDefinition::peaks_half_width, number("Pa").above(0), no,
+           "Half the 95 % interval of the mean peaks."),
+     field("plateau_begin_s", &ImpactsDefinition::plateau_begin, number("s").at_least(0),
+           beside("period_s").when(tells_plateau),
+           "The plateau may be left out beside sought_within_s."),
+     field("plateau_end_s", &ImpactsDefinition::plateau_end,
+           number("s").above(Bound("plateau_begin_s")).at_most(case_duration),
+           beside("plateau_begin_s").when(tells_plateau)),
+     field("plateau_Pa", &ImpactsDefinition::plateau, number("Pa").above(0),
+           beside("plateau_begin_s").when(tells_plateau),
+           "The published mean pressure between the two."),
+     field("arrival_share", &ImpactsDefinition::arrivals, &ArrivalsDefinition::share,
+           number().above(0).below(1).noting(": a share of the published peak"),
+           beside("arrivals_s"),
+           "An impact arrives when the pressure comes to this share of its published peak and "
+           "holds it."),
+     field("arrivals_s", &ImpactsDefinition::arrivals, &ArrivalsDefinition::times,
+           list_of(number("s").above(0)), beside("arrival_share"),
+           "The published arrivals: as many as times_s."),
+     field("arrivals_half_width_s", &ImpactsDefinition::arrivals, &ArrivalsDefinition::half_width,
+           number("s").above(0), no, "Half the 95 % interval of the arrivals."),
+     field("rise_times_s", &ImpactsDefinition::rise_times, &RiseTimesDefinition::values,
+           list_of(number("s").above(0)), no,
+           "The published rise times, twice the time from half the peak to the peak, for the "
+           "tables: as many as times_s."),
+     field("rise_times_half_width_s", &ImpactsDefinition::rise_times,
+           &RiseTimesDefinition::half_width, number("s").above(0), no,
+           "Half the 95 % interval of the rise times."),
+     field("impulse_duration_s", &ImpactsDefinition::impulses, &ImpulsesDefinition::duration,
+           number("s").above(0), beside("impulses_Pa_s"),
+           "The time from the arrival on over which the impulse is taken."),
+     field("impulses_Pa_s", &ImpactsDefinition::impulses, &ImpulsesDefinition::values,
+           list_of(number("Pa s").above(0)), beside("impulse_duration_s"),
+           "The published impulses: as many as times_s."),
+     field("impulses_half_width_Pa_s", &ImpactsDefinition::impulses,
+           &ImpulsesDefinition::half_width, number("Pa s").above(0), no,
+           "Half the 95 % interval of the impulses."),
+     field("plateau_half_width_Pa", &ImpactsDefinition::plateau_half_width, number("Pa").above(0),
+           no, "Half the 95 % interval of the plateau."),
+     {{"peak_table", text("path below the directory of the user's records"), no,
+       "The repeats' own peaks, of up to four impacts."}},
+     field("source", &ImpactsDefinition::source, text(), yes)}};
 
 PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
                                             const CaseDefinition& definition) {
-  gauge.allow_only(keys_of("pressure_gauge"));
+  gauge.allow_only(pressure_gauge_table.names());
   const bool on_rectangle = is_rectangle(definition.tank);
   refuse_keys_of_other_shape(gauge, on_rectangle);
   PressureGaugeDefinition read{};
-  read.name = gauge.get("name", file_safe_name());
+  pressure_gauge_table.read_into(gauge, definition, read);
   const double widest = on_rectangle ? read_place_on_wall(gauge, definition.tank, read)
                                      : read_place_on_outline(gauge, definition.tank, read);
   read.width =
@@ -198,25 +280,11 @@ PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
                            widest),
                [widest](double width) { return width >= 0 && width <= widest; }})
           .value_or(0);
-  const double highest = 0.5 / definition.sample_interval;
-  read.filter_cutoff = gauge.find<double>(
-      "filter_cutoff_Hz",
-      {fmt::format("a number > 0 and below half the sampling rate ({:.6g}), in Hz", highest),
-       [highest](double cutoff) { return cutoff > 0 && cutoff < highest; }});
   return read;
 }
 
 ProbeDefinition read_probe(const TomlTable& probe, const CaseDefinition& definition) {
-  probe.allow_only(keys_of("probe"));
-  const auto inside = [](const char* extent, double most, const char* from) {
-    return Rule<double>{
-        fmt::format("a number from 0 to the tank's {} ({}), in m from the {}", extent, most, from),
-        [most](double at) { return at >= 0 && at <= most; }, 0};
-  };
-  const ProbeDefinition read{
-      .name = probe.get("name", file_safe_name()),
-      .x = probe.get("x_m", inside("length", definition.tank.length, "left wall")),
-      .z = probe.get("z_m", inside("height", definition.tank.height, "bottom"))};
+  const ProbeDefinition read = probe_table.read_all(probe, definition);
   if (!is_rectangle(definition.tank) && !contains(definition.tank.outline, {read.x, read.z})) {
     const auto [left, right] = extent_at(definition.tank.outline, read.z);
     probe.refuse("x_m", fmt::format("a place inside the tank's outline, which reaches from x = "
@@ -243,23 +311,14 @@ std::vector<Wall> read_wall_forces(const TomlTable& root) {
 
 ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& definition,
                                const std::filesystem::path& experiments) {
-  impacts.allow_only(keys_of("impacts"));
+  impacts.allow_only(impacts_table.names());
+  refuse_lonely_keys(impacts);
   ImpactsDefinition read{};
   read.gauge = impacts.choice("gauge", "a pressure gauge", pressure_gauge_names(definition));
-  read.period = read_period(impacts);
-  read.times = read_times(impacts, read.period, definition.duration);
-  if (impacts.has("sought_within_s") && read.times.size() > 1)
-    impacts.refuse("sought_within_s", "period_s in its place where there are several times_s");
-  const std::size_t count = read.times.size();
-  read.peak_means = read_of_each_impact(impacts, "peaks_Pa", "Pa", count);
-  if (impacts.has("peaks_sd_Pa") || !impacts.has("sought_within_s"))
-    read.peak_deviations = read_of_each_impact(impacts, "peaks_sd_Pa", "Pa", count);
-  read.peaks_half_width = impacts.find("peaks_half_width_Pa", positive("Pa"));
-  read_plateau(impacts, definition.duration, read);
-  read_arrivals(impacts, read);
-  read_rise_times(impacts, read);
+  impacts_table.read_into(impacts, definition, read);
+  refuse_times(impacts, read, definition.duration);
+  refuse_other_counts(impacts, read.times.size());
   read_repeats(impacts, experiments, read);
-  read.source = impacts.get("source", any_text());
   return read;
 }
 

@@ -13,7 +13,8 @@ std::string section(const KeyTable& table) {
                                  table.needed, table.meaning.empty() ? "" : " ", table.meaning);
   text += "| key | value | required | meaning |\n|---|---|---|---|\n";
   for (const KeyEntry& key : table.keys)
-    text += fmt::format("| `{}` | {} | {} | {} |\n", key.name, key.value, key.needed, key.meaning);
+    text += fmt::format("| `{}` | {} | {} | {} |\n", key.name, key.value.words(), key.needed.words,
+                        key.meaning);
   return text + "\n";
 }
 

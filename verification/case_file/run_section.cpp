@@ -9,19 +9,22 @@
 #include "verification/case/quantities.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/key_table.hpp"
 #include "verification/input/input_files.hpp"
 #include "verification/input/tables/time_table.hpp"
 #include "verification/input/units.hpp"
 
 namespace slosh {
+
+using namespace key;
+using namespace needed;
+
 namespace {
 
 using Keys = std::vector<std::string>;
 
 // More would not fit the memory, which is then exhausted without a word.
 constexpr double most_particles = 1e8;
-constexpr int most_cells = 10000, most_modes = 100000;
+constexpr int most_modes = 100000;
 
 double finest_spacing(const CaseDefinition& definition) {
   return std::sqrt(liquid_area(definition) / most_particles);
@@ -31,32 +34,6 @@ Keys together(Keys keys, const Keys& more) {
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }
-
-// Below a ratio of 1 the liquid would move faster than sound in it. Damping may be switched off by
-// a zero.
-SphNumbers read_numbers(const TomlTable& run) {
-  return {
-      .smoothing_length_ratio = run.find("smoothing_length_ratio", number_between(0.5, 10, "1")),
-      .sound_speed_ratio = run.find("sound_speed_ratio", number_between(1, 1000, "1")),
-      .courant_number = run.find("courant_number", number_between(0.001, 10, "1")),
-      .artificial_viscosity = run.find("artificial_viscosity", not_negative("1")),
-      .density_diffusion = run.find("density_diffusion", not_negative("1"))};
-}
-
-const Rule<std::string> an_initial_state{"one of lattice | settled | projected",
-                                         [](const std::string& state) {
-                                           return state == "lattice" || state == "settled" ||
-                                                  state == "projected";
-                                         },
-                                         "lattice"};
-
-// With more than a fifth of a spacing, particles come so close that the start is a shock.
-const Rule<double> a_disorder = number_between(0, 0.2, "particle spacings");
-
-// A square lattice repeats itself after a quarter turn, and is mirrored after an eighth.
-const Rule<double> a_rotation = number_between(0, 45, "degrees");
-
-const Rule<double> a_disturbed_level = number_between(0, 0.2, "heights of a cell");
 
 // Throws for a coarse run of liquid at rest in a tank at rest.
 bool read_speed_from_coarse_run(const TomlTable& run, const CaseDefinition& definition) {
@@ -71,30 +48,21 @@ bool read_speed_from_coarse_run(const TomlTable& run, const CaseDefinition& defi
   return true;
 }
 
-struct DisturbedStart {
-  double disorder;
-  int seed;
-};
-
-DisturbedStart read_start(const TomlTable& run, const Rule<double>& rule) {
-  const double disorder = run.find("start_disorder", rule).value_or(0);
+void refuse_idle_seeds(const TomlTable& run, double disorder, const char* unit) {
   const bool varies = run.flag("vary_inputs");
   if (varies && !run.has("repeats"))
     run.refuse("vary_inputs", "no such key without repeats, whose inputs it draws");
   for (const char* key : {"start_seed", "repeats"})
     if (run.has(key) && !(disorder > 0) && !varies)
-      run.refuse(key,
-                 fmt::format("no such key without start_disorder > 0 or vary_inputs: there is "
-                             "nothing to vary (1e-6 {} is enough in a chaotic flow)",
-                             &rule == &a_disorder ? "particle spacings" : "heights of a cell"));
-  return {disorder, run.find("start_seed", at_least(0)).value_or(0)};
+      run.refuse(key, fmt::format("no such key without start_disorder > 0 or vary_inputs: there is "
+                                  "nothing to vary (1e-6 {} is enough in a chaotic flow)",
+                                  unit));
 }
 
 // Throws for a lattice that could not be turned or would not come to rest.
-double read_start_rotation(const TomlTable& run, const CaseDefinition& definition) {
-  const double angle = run.find("start_rotation_deg", a_rotation).value_or(0);
-  if (angle == 0) return angle;
-  if (run.find("initial_state", an_initial_state) != "settled")
+void refuse_rotation(const TomlTable& run, const CaseDefinition& definition, const SphRun& sph) {
+  if (sph.start_rotation_deg == 0) return;
+  if (sph.initial_state != "settled")
     run.refuse("start_rotation_deg",
                "initial_state = \"settled\" beside it: rotated rows do not fit the walls");
   if (!is_rectangle(definition.tank) || !definition.obstacles.empty())
@@ -102,35 +70,30 @@ double read_start_rotation(const TomlTable& run, const CaseDefinition& definitio
                "no such key in a tank with an obstacle or another shape than a rectangle");
   if (run.has("surface_particle_spacing_m"))
     run.refuse("start_rotation_deg", "no such key beside surface_particle_spacing_m");
-  return angle;
+}
+
+// A member of the scheme's numbers.
+auto number_of(std::optional<double> SphNumbers::*member) {
+  return [member](SphRun & run) -> auto& { return run.numbers.*member; };
 }
 
 SphRun read_sph(const TomlTable& run, const CaseDefinition& definition) {
-  const double spacing = run.get("particle_spacing_m", a_particle_spacing(definition));
-  const double finest = finest_spacing(definition);
-  const auto surface_spacing = run.find<double>(
-      "surface_particle_spacing_m",
-      {fmt::format(
-           "a number > 0 and <= particle_spacing_m ({}), in m, and >= {:.3g}, the spacing of "
-           "a hundred million particles",
-           spacing, finest),
-       [=](double value) { return value >= finest && value <= spacing; }});
-  const DisturbedStart start = read_start(run, a_disorder);
-  return {.scheme = run.get("scheme", any_text()),
-          .particle_spacing = spacing,
-          .surface_particle_spacing = surface_spacing.value_or(spacing),
-          .variant = run.find("variant", any_text()).value_or(""),
-          .initial_state = run.find("initial_state", an_initial_state).value_or(""),
-          .numbers = read_numbers(run),
-          .start_disorder = start.disorder,
-          .start_seed = start.seed,
-          .start_rotation_deg = read_start_rotation(run, definition),
-          .energy_budget = run.flag("energy_budget"),
-          .speed_from_coarse_run = read_speed_from_coarse_run(run, definition)};
+  SphRun sph{};
+  sph_table.read_into(run, definition, sph);
+  const double spacing = sph.particle_spacing, finest = finest_spacing(definition);
+  sph.surface_particle_spacing =
+      run.find<double>(
+             "surface_particle_spacing_m",
+             {fmt::format("a number > 0 and <= particle_spacing_m ({}), in m, and >= {:.3g}, the "
+                          "spacing of a hundred million particles",
+                          spacing, finest),
+              [=](double value) { return value >= finest && value <= spacing; }})
+          .value_or(spacing);
+  refuse_idle_seeds(run, sph.start_disorder, "particle spacings");
+  refuse_rotation(run, definition, sph);
+  sph.speed_from_coarse_run = read_speed_from_coarse_run(run, definition);
+  return sph;
 }
-
-const Rule<double> a_courant_number{"a number > 0 and <= 1",
-                                    [](double number) { return number > 0 && number <= 1; }, 0.5};
 
 // The thickness of the cells beside the walls is that of the thinner ones of a uniform mesh at
 // most.
@@ -143,10 +106,8 @@ Rule<double> a_wall_cell(const CaseDefinition& definition, int cells_x, int cell
 }
 
 // Throws unless the tank is a narrow rectangle whose walls the liquid sticks to.
-std::optional<int> read_cells_y(const TomlTable& run, const CaseDefinition& definition,
-                                bool no_slip) {
-  const auto cells = run.find("cells_y", integer_between(4, 1000));
-  if (!cells) return cells;
+void refuse_cells_y(const TomlTable& run, const CaseDefinition& definition, bool no_slip) {
+  if (!run.has("cells_y")) return;
   if (!definition.tank.breadth)
     run.refuse("cells_y",
                "no such key in a tank without breadth_m in [tank]: it divides half of that");
@@ -156,7 +117,6 @@ std::optional<int> read_cells_y(const TomlTable& run, const CaseDefinition& defi
                "solved in two dimensions");
   if (!no_slip)
     run.refuse("cells_y", "no_slip = true beside it: the liquid sticks to the walls of the gap");
-  return cells;
 }
 
 // Throws for a solver without friction, of a tank whose front and back wall cause it.
@@ -172,46 +132,26 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
                             FoamProgram program) {
   if (program == FoamProgram::compressible_inter_foam && !run.has("cells_y"))
     refuse_breadth(run, definition);
-  const int cells_x = run.get("cells_x", integer_between(2, most_cells));
-  const int cells_z = run.get("cells_z", integer_between(2, most_cells));
-  const auto processes = run.find("processes", integer_up_to("cells_x", cells_x));
-  const auto wall_cell = run.find("wall_cell_m", a_wall_cell(definition, cells_x, cells_z));
-  if (wall_cell && (!is_rectangle(definition.tank) || !definition.obstacles.empty()))
+  InterFoamRun mesh{};
+  mesh.program = program;
+  interfoam_table.read_into(run, definition, mesh);
+  if (!run.has("interface_courant_number")) mesh.interface_courant_number = mesh.courant_number;
+  mesh.wall_cell = run.find("wall_cell_m", a_wall_cell(definition, mesh.cells_x, mesh.cells_z));
+  const bool is_plain = is_rectangle(definition.tank) && definition.obstacles.empty();
+  if (mesh.wall_cell && !is_plain)
     run.refuse("wall_cell_m",
                "no such key in a tank with an obstacle or another shape than a rectangle, whose "
                "cells are uniform");
-  const bool no_slip = run.flag("no_slip");
-  if (no_slip && !(definition.liquid.kinematic_viscosity > 0))
+  if (mesh.no_slip && !(definition.liquid.kinematic_viscosity > 0))
     run.refuse("no_slip", "no such key for a liquid without viscosity, which slips");
-  const double courant_number =
-      run.find("courant_number", a_courant_number).value_or(InterFoamRun().courant_number);
-  const DisturbedStart start = read_start(run, a_disturbed_level);
-  if (start.disorder > 0 &&
+  refuse_idle_seeds(run, mesh.start_disorder, "heights of a cell");
+  if (mesh.start_disorder > 0 &&
       (definition.initial_wave || definition.liquid.column_width || !definition.obstacles.empty()))
     run.refuse("start_disorder",
                "no such key for a mesh with [initial_wave], column_width_m or an obstacle: only "
                "a plain level can be disturbed");
-  return {.cells_x = cells_x,
-          .cells_z = cells_z,
-          .processes = processes.value_or(1),
-          .start_disorder = start.disorder,
-          .start_seed = start.seed,
-          .program = program,
-          .courant_number = courant_number,
-          .interface_courant_number =
-              run.find("interface_courant_number", a_courant_number).value_or(courant_number),
-          .outer_corrections = run.find("outer_corrections", integer_between(1, 10))
-                                   .value_or(InterFoamRun().outer_corrections),
-          .no_slip = no_slip,
-          .wall_cell = wall_cell,
-          .cells_y = read_cells_y(run, definition, no_slip)};
-}
-
-// Where the surface departs by a depth it bares the bottom, and no theory of small waves holds.
-double read_valid_elevation(const TomlTable& run) {
-  const Rule<double> rule{"a number > 0 and < 1, in fill depths: a trough of one bares the bottom",
-                          [](double depths) { return depths > 0 && depths < 1; }, 0.1};
-  return run.get("valid_elevation_over_depth", rule);
+  refuse_cells_y(run, definition, mesh.no_slip);
+  return mesh;
 }
 
 LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
@@ -222,25 +162,22 @@ LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
   const bool rectangle = is_rectangle(definition.tank);
   if (!rectangle && run.has("two_layer"))
     run.refuse("two_layer", "no such key for a tank that is no rectangle: its theory has no gas");
-  return {.modes = wave_alone ? 0
-                              : run.get("modes", rectangle ? integer_between(1, most_modes)
-                                                           : modes_of_outline(definition)),
-          .two_layer = run.flag("two_layer"),
-          .valid_elevation_over_depth = read_valid_elevation(run)};
+  LinearRun linear{};
+  if (!wave_alone)
+    linear.modes =
+        run.get("modes", rectangle ? integer_between(1, most_modes) : modes_of_outline(definition));
+  linear_table.read_into(run, definition, linear);
+  return linear;
 }
 
-ViscousWaveRun read_viscous_wave(const TomlTable& run, const CaseDefinition& definition) {
+// Reads the run of a theory whose keys its table knows alone.
+template <class Run>
+Run read_theory(const TomlTable& run, const CaseDefinition& definition,
+                const FieldTable<Run>& keys) {
   refuse_breadth(run, definition);
-  return {.valid_elevation_over_depth = read_valid_elevation(run)};
-}
-
-PotentialRun read_potential(const TomlTable& run, const CaseDefinition& definition) {
-  refuse_breadth(run, definition);
-  PotentialRun potential;
-  const Rule<int> enough_nodes = integer_between(16, 128);
-  potential.nodes_x = run.find("nodes_x", enough_nodes).value_or(potential.nodes_x);
-  potential.nodes_z = run.find("nodes_z", enough_nodes).value_or(potential.nodes_z);
-  return potential;
+  Run theory{};
+  keys.read_into(run, definition, theory);
+  return theory;
 }
 
 RecordRun read_shipped_record(const TomlTable& run, const CaseDefinition& definition) {
@@ -355,9 +292,9 @@ const std::vector<SolverSection> solver_sections{
     {"linear", [](const auto& run, const auto& definition,
                   const auto&) { return read_linear(run, definition); }},
     {"viscous_wave", [](const auto& run, const auto& definition,
-                        const auto&) { return read_viscous_wave(run, definition); }},
+                        const auto&) { return read_theory(run, definition, viscous_wave_table); }},
     {"potential", [](const auto& run, const auto& definition,
-                     const auto&) { return read_potential(run, definition); }},
+                     const auto&) { return read_theory(run, definition, potential_table); }},
     {"record", [](const auto& run, const auto& definition,
                   const auto&) { return read_shipped_record(run, definition); }},
     {"record",
@@ -417,6 +354,156 @@ RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
 }
 
 }  // namespace
+
+const FieldTable<SphRun> sph_table{
+    key_table("run.sph", "[[run]] with solver = \"sph\"", "no",
+              "An SPH run. [SPH schemes](schemes.md) lists the schemes and their variants.", {},
+              {"sph"}),
+    {field("scheme", &SphRun::scheme, text(), yes,
+           "The scheme: kernel, integrator, walls and terms under one name."),
+     field("particle_spacing_m", &SphRun::particle_spacing,
+           number("m").above(0).at_most(fill_depth).by(a_particle_spacing), yes,
+           "The spacing dp of the particles, a hundred million at most."),
+     {{"surface_particle_spacing_m", number("m").above(0).at_most(Bound("particle_spacing_m")), no,
+       "A finer spacing at the surface, for li2010 in a tank that does not roll. Default: "
+       "particle_spacing_m."}},
+     field("variant", &SphRun::variant, text(), no,
+           "One part of `recommended` that is exchanged or left out."),
+     field("initial_state", &SphRun::initial_state,
+           one_of({"lattice", "settled", "projected"}, "how the particles start"), no,
+           "How the particles start: on a lattice, after they have settled, or with the impulsive "
+           "start's velocity projected onto a divergence-free one. Default: the scheme's."),
+     field_of_part<SphRun>("smoothing_length_ratio", number_of(&SphNumbers::smoothing_length_ratio),
+                           number().from(0.5, 10), no,
+                           "h / dp, the smoothing length over the spacing. Default: the scheme's."),
+     field_of_part<SphRun>(
+         "sound_speed_ratio", number_of(&SphNumbers::sound_speed_ratio), number().from(1, 1000), no,
+         "c0 / V_max, the speed of sound over the expected largest speed. Default: the scheme's."),
+     {{"expected_speed", one_of({"estimate", "coarse_run"}), no,
+       "Where V_max comes from: sqrt(g h) plus the tank's largest speed, or a first run of the "
+       "same flow at a coarser spacing: see [The speed of "
+       "sound](scheme_choices.md#the-speed-of-sound). A coarse run is refused where tank and "
+       "liquid are at rest. Default: estimate."}},
+     field_of_part<SphRun>("courant_number", number_of(&SphNumbers::courant_number),
+                           number().from(0.001, 10), no, "Default: the scheme's."),
+     field_of_part<SphRun>(
+         "artificial_viscosity", number_of(&SphNumbers::artificial_viscosity), number().at_least(0),
+         no, "The coefficient alpha of the artificial viscosity. Default: the scheme's."),
+     field_of_part<SphRun>(
+         "density_diffusion", number_of(&SphNumbers::density_diffusion), number().at_least(0), no,
+         "The coefficient delta of the density diffusion. Default: the scheme's."),
+     field("start_disorder", &SphRun::start_disorder, number("particle spacings").from(0, 0.2), no,
+           "Each particle's start is shifted at random by up to this much."),
+     field(
+         "start_seed", &SphRun::start_seed, integer().at_least(0), no,
+         "The seed of the shifts and of drawn inputs. It needs start_disorder > 0 or vary_inputs."),
+     field("start_rotation_deg", &SphRun::start_rotation_deg, number("degrees").from(0, 45), no,
+           "The angle by which the initial lattice is turned, in a rectangular tank without "
+           "obstacles. It needs initial_state = \"settled\". Default: 0."),
+     {{"repeats", integer().from(2, 1000), no,
+       "The number of runs of an ensemble, which differ only in their seed. It needs "
+       "start_disorder > 0 or vary_inputs."}},
+     {{"quick_repeats", integer().from(1, Bound("repeats")), no,
+       "How many of the repeats belong to the quick form of campaigns. It needs repeats and quick. "
+       "Default: all."}},
+     {{"vary_inputs", flag(), no,
+       "Whether each repeat draws every [[input]] of the case anew, from the normal distribution "
+       "with the declared 95 % interval, by its seed. It needs repeats. Default: false."}},
+     field("energy_budget", &SphRun::energy_budget, flag(), no,
+           "Whether the run records where the liquid's energy goes.")}};
+
+const FieldTable<InterFoamRun> interfoam_table{
+    key_table(
+        "run.interfoam",
+        "[[run]] with solver = \"interfoam\", \"interisofoam\" or \"compressible_interfoam\"", "no",
+        "A run of the same tank by volume of fluid with a program of OpenFOAM: interFoam keeps the "
+        "interface sharp by MULES, interIsoFoam by isoAdvector, and compressibleInterFoam is "
+        "interFoam for a compressible liquid (sound at 1482 m/s) and a gas that is compressed at "
+        "constant temperature, 20 °C, from 101325 Pa. SPH is compared with the finest mesh of "
+        "interFoam.",
+        {}, {"interfoam", "interisofoam", "compressible_interfoam"}),
+    {field("cells_x", &InterFoamRun::cells_x, integer().from(2, 10000), yes,
+           "The number of cells along the tank."),
+     field("cells_z", &InterFoamRun::cells_z, integer().from(2, 10000), yes,
+           "The number of cells over the tank's height."),
+     field("processes", &InterFoamRun::processes, integer().from(1, Bound("cells_x")), no,
+           "The number of MPI processes. Default: 1."),
+     field("courant_number", &InterFoamRun::courant_number, number().above(0).at_most(1), no,
+           "The largest Courant number of any cell, which shortens the time step of violent flow. "
+           "Default: 0.5."),
+     field("interface_courant_number", &InterFoamRun::interface_courant_number,
+           number().above(0).at_most(1), no,
+           "The largest Courant number of the cells that the interface cuts. Default: "
+           "courant_number."),
+     field("outer_corrections", &InterFoamRun::outer_corrections, integer().from(1, 10), no,
+           "How often a time step solves all equations (nOuterCorrectors). With 3, "
+           "compressible_interfoam keeps the liquid's volume in breaking waves; the steps then "
+           "damp a wave at the rate omega^2 dt / 2. Default: 1."),
+     field("no_slip", &InterFoamRun::no_slip, flag(), no,
+           "Whether the liquid sticks to the walls, which cells much thinner than the Stokes layer "
+           "resolve: see wall_cell_m. Default: it slips."),
+     {{"wall_cell_m", number("m").above(0), no,
+       "The thickness of the cells beside all walls, three to five of them in a Stokes layer. From "
+       "there each cell is thicker by a fifth at most, up to uniform ones in the middle; cells_x "
+       "and cells_z stay the numbers of cells. Refused with an obstacle, outline_m or diameter_m. "
+       "Default: uniform cells."}},
+     field(
+         "cells_y", &InterFoamRun::cells_y, integer().from(4, 1000), no,
+         "Solves a narrow tank in three dimensions: the number of cells across half of breadth_m, "
+         "from the front wall to a plane of symmetry. They grow from wall_cell_m at the wall, each "
+         "at most twice as thick as the one before; without that the last is seven times as thick "
+         "as the first. It needs breadth_m and no_slip = true. Elevations are means over the gap, "
+         "pressures, probes and fields are those in its middle, and loads stay per metre of "
+         "breadth. Refused with an obstacle, outline_m or diameter_m. Default: two dimensions, "
+         "with the friction of the front and the back wall as that of a porous medium."),
+     field("start_disorder", &InterFoamRun::start_disorder, number("cell heights").from(0, 0.2), no,
+           "The still level is disturbed by up to this much. Only a plain level can be disturbed: "
+           "not a dam, an initial wave or a tank with obstacles."),
+     field("start_seed", &InterFoamRun::start_seed, integer().at_least(0), no,
+           "The same as for SPH."),
+     {{"repeats", integer().from(2, 1000), no, "The same as for SPH."}},
+     {{"quick_repeats", integer().from(1, Bound("repeats")), no, "The same as for SPH."}},
+     {{"vary_inputs", flag(), no, "The same as for SPH."}}}};
+
+const FieldTable<LinearRun> linear_table{
+    key_table(
+        "run.linear", "[[run]] with solver = \"linear\"", "no",
+        "Linear potential theory, in closed form, or in a tank that is no rectangle by spectral "
+        "elements. A dam, an obstacle, and a still tank without an initial wave are refused.",
+        {}, {"linear"}),
+    {{{"modes", integer().from(1, 100000),
+       where("yes, but refused for a still tank's initial wave"),
+       "The number of natural modes that are summed; at most 150 in a tank that is no rectangle, "
+       "whose modes are computed."}},
+     field("two_layer", &LinearRun::two_layer, flag(), no,
+           "Whether the gas above the liquid takes part: the form to compare interFoam with. "
+           "Refused in a tank that is no rectangle."),
+     field("valid_elevation_over_depth", &LinearRun::valid_elevation_over_depth,
+           number("fill depths").above(0).below(1).noting(": a trough of one bares the bottom"),
+           yes,
+           "The elevation up to which the solution may judge. Beyond it the curve is drawn and "
+           "never gates.")}};
+
+const FieldTable<ViscousWaveRun> viscous_wave_table{
+    key_table(
+        "run.viscous_wave", "[[run]] with solver = \"viscous_wave\"", "no",
+        "The exact linear wave of a viscous liquid (Prosperetti 1976), of a still tank's initial "
+        "wave.",
+        {}, {"viscous_wave"}),
+    {field("valid_elevation_over_depth", &ViscousWaveRun::valid_elevation_over_depth,
+           number("fill depths").above(0).below(1).noting(": a trough of one bares the bottom"),
+           yes, "The same as for linear theory.")}};
+
+const FieldTable<PotentialRun> potential_table{
+    key_table("run.potential", "[[run]] with solver = \"potential\"", "no",
+              "Fully nonlinear potential flow, spectral. The run ends where the solution leaves "
+              "its range. "
+              "A dam and an obstacle are refused.",
+              {}, {"potential"}),
+    {field("nodes_x", &PotentialRun::nodes_x, integer().from(16, 128), no,
+           "The number of nodes along the tank. Default: 64."),
+     field("nodes_z", &PotentialRun::nodes_z, integer().from(16, 128), no,
+           "The number of nodes over the depth. Default: 24.")}};
 
 Rule<double> a_particle_spacing(const CaseDefinition& definition) {
   const double least = finest_spacing(definition), most = definition.liquid.fill_depth;

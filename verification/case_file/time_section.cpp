@@ -3,9 +3,12 @@
 #include <cmath>
 
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/key_table.hpp"
 
 namespace slosh {
+
+using namespace key;
+using namespace needed;
+
 namespace {
 
 // More would not fit the memory, which is then exhausted without a word.
@@ -30,16 +33,26 @@ Rule<double> sampled(const CaseDefinition& definition) {
       }};
 }
 
-Rule<int> natural_modes_to_fit(const CaseDefinition& definition) {
+Rule<double> a_sample_interval(const CaseDefinition& definition) {
+  const double most = definition.duration;
+  return {fmt::format("a number > 0 and <= the duration ({}), in s, and >= {:.3g}, for at most ten "
+                      "million samples",
+                      most, most / most_samples),
+          [most](double value) { return value >= most / most_samples && value <= most; }};
+}
+
+Rule<double> natural_modes_to_fit(const CaseDefinition& definition) {
   if (definition.gravity == 0)
-    return {"0 without gravity: there is no natural mode", [](int modes) { return modes == 0; }, 0};
+    return {"0 without gravity: there is no natural mode", [](double modes) { return modes == 0; },
+            0};
   if (definition.liquid.column_width)
     return {"0 for a dam about to break, which linear theory does not describe",
-            [](int modes) { return modes == 0; }, 0};
+            [](double modes) { return modes == 0; }, 0};
   if (definition.motion.still() && definition.initial_wave)
     return {"0 or 1: a still tank has only the mode of its initial wave",
-            [](int modes) { return modes == 0 || modes == 1; }, 0};
-  return integer_between(0, most_natural_modes);
+            [](double modes) { return modes == 0 || modes == 1; }, 0};
+  return {fmt::format("an integer from 0 to {}", most_natural_modes),
+          [](double modes) { return modes >= 0 && modes <= most_natural_modes; }, 0};
 }
 
 // Fewer show no motion; more make a page that takes long to load.
@@ -51,44 +64,72 @@ double read_time_offset(const TomlTable& table) {
   return table.find("time_offset_s", any_number("s")).value_or(0);
 }
 
+const FieldTable<CaseDefinition> time_table{
+    {"time", "[time]", "yes", ""},
+    {{{"start", one_of(all_names(start_names)), yes,
+       "The frame in which the liquid is at rest at the start. Earth: it stands still, and a "
+       "tank that moves off at once strikes it. Tank: it moves off with the tank."}},
+     field("duration_s", &CaseDefinition::duration, number("s").above(0), yes),
+     field("sample_interval_s", &CaseDefinition::sample_interval,
+           number("s").above(0).at_most(case_duration).by(a_sample_interval), yes,
+           "The interval of the recorded samples. SPH lands on each, so a short one shortens its "
+           "time step. There are ten million at most."),
+     field("snapshot_times_s", &CaseDefinition::snapshot_times,
+           increasing_list_of(number("s").above(0).at_most(case_duration).by(sampled)), no,
+           "The times at which fields are kept: multiples of sample_interval_s.")}};
+
+const FieldTable<Animation> animation_table{
+    {"animation", "[animation]", "no",
+     "SPH and OpenFOAM keep their fields at 3 to 60 moments, and the report plays the finest run "
+     "of each scheme and of each program of OpenFOAM side by side."},
+    {field("begin_s", &Animation::begin, number("s").above(0).at_most(case_duration).by(sampled),
+           yes, "A multiple of sample_interval_s, as are the others."),
+     field("end_s", &Animation::end, number("s").above(0).at_most(case_duration).by(sampled), yes),
+     field("interval_s", &Animation::interval,
+           number("s").above(0).at_most(case_duration).by(sampled), yes)}};
+
+const FieldTable<CaseDefinition> comparison_table{
+    {"comparison", "[comparison]", "yes", "The window in which histories are compared."},
+    {field("window_begin_s", &CaseDefinition::window_begin, number("s").at_least(0), yes),
+     field("window_end_s", &CaseDefinition::window_end,
+           number("s").above(Bound("window_begin_s")).at_most(case_duration), no,
+           "Default: duration_s."),
+     field("natural_modes", &CaseDefinition::natural_modes,
+           integer().from(0, most_natural_modes).by(natural_modes_to_fit), yes,
+           "The number of natural modes that are fitted beside the forced one: 0 for a dam or "
+           "without gravity, at most 1 for a still tank's initial wave."),
+     {{"forcing", one_of({"from_spectrum"}), no,
+       "Finds the forcing frequency of a motion table from its spectrum in this window, and "
+       "refuses a table that is not nearly one sine there."}},
+     {{"forcing_angular_frequency_rad_s", number("rad/s").above(0), no,
+       "The forcing frequency of a motion table that is nearly a sine; refused where no motion "
+       "is a table."}},
+     {{"forcing_frequency_Hz", number("Hz").above(0), no, "The same in another unit."}},
+     {{"forcing_period_s", number("s").above(0), no, "The same as a period."}}}};
+
 void read_time(const TomlTable& time, CaseDefinition& definition) {
-  time.allow_only(keys_of("time"));
+  time.allow_only(time_table.names());
   definition.start =
       time.choice("start",
                   "the frame in which the liquid is first at rest (earth: the liquid stands still "
                   "and a tank that moves off at once strikes it; tank: the liquid moves off with "
                   "the tank)",
                   start_names);
-  definition.duration = time.get("duration_s", positive("s"));
-  definition.sample_interval = time.get<double>(
-      "sample_interval_s",
-      {fmt::format(
-           "a number > 0 and <= the duration ({}), in s, and >= {:.3g}, for at most ten million "
-           "samples",
-           definition.duration, definition.duration / most_samples),
-       [most = definition.duration](double value) {
-         return value >= most / most_samples && value <= most;
-       }});
-  definition.snapshot_times = time.increasing_numbers("snapshot_times_s", sampled(definition));
+  time_table.read_into(time, definition, definition);
 }
 
 void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
-  comparison.allow_only(keys_of("comparison"));
-  definition.window_begin = comparison.get("window_begin_s", not_negative("s"));
-  const auto before_end = end_after("window_begin_s", definition.window_begin, definition.duration);
-  definition.window_end =
-      definition.window_begin < definition.duration
-          ? comparison.find("window_end_s", before_end).value_or(definition.duration)
-          : comparison.get("window_end_s", before_end);
-  definition.natural_modes = comparison.get("natural_modes", natural_modes_to_fit(definition));
+  comparison.allow_only(comparison_table.names());
+  definition.window_end = definition.duration;
+  comparison_table.read_into(comparison, definition, definition);
+  if (!(definition.window_begin < definition.duration))
+    comparison.refuse("window_begin_s",
+                      fmt::format("a number below the duration ({}), in s", definition.duration));
   read_forcing(comparison, definition);
 }
 
 std::vector<double> read_animation(const TomlTable& animation, const CaseDefinition& definition) {
-  animation.allow_only(keys_of("animation"));
-  const Rule<double> rule = sampled(definition);
-  const double begin = animation.get("begin_s", rule), end = animation.get("end_s", rule),
-               interval = animation.get("interval_s", rule);
+  const auto [begin, end, interval] = animation_table.read_all(animation, definition);
   const long count = std::lround(std::floor((end - begin) / interval + 1e-9)) + 1;
   if (!(count >= fewest_times && count <= most_times))
     animation.refuse("interval_s",

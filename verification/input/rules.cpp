@@ -23,17 +23,6 @@ Rule<double> not_negative(std::string_view unit) {
   return {"a number >= 0, " + in(unit), [](double value) { return value >= 0; }, 0};
 }
 
-Rule<double> number_between(double least, double most, std::string_view unit) {
-  return {fmt::format("a number >= {:.4g} and <= {:.4g}, {}", least, most, in(unit)),
-          [=](double value) { return value >= least && value <= most; }, least};
-}
-
-Rule<double> end_after(std::string_view begin_key, double begin, double duration) {
-  return {fmt::format("a number above {} ({}) and <= the duration ({}), in s", begin_key, begin,
-                      duration),
-          [=](double end) { return end > begin && end <= duration; }};
-}
-
 Rule<double> not_zero(std::string_view unit) {
   return {"a number other than 0, " + in(unit), [](double value) { return value != 0; }, 1};
 }

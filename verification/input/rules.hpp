@@ -23,9 +23,6 @@ std::string in(std::string_view unit);  // "in m"; "without unit" for "1"
 Rule<double> any_number(std::string_view unit);
 Rule<double> positive(std::string_view unit);
 Rule<double> not_negative(std::string_view unit);
-// The end of an interval that lies within the run and begins at the key `begin_key`.
-Rule<double> end_after(std::string_view begin_key, double begin, double duration);
-Rule<double> number_between(double least, double most, std::string_view unit);  // both included
 Rule<double> not_zero(std::string_view unit);
 Rule<int> at_least(int least);
 Rule<int> integer_between(int least, int most);  // both included

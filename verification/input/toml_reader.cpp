@@ -204,6 +204,11 @@ bool TomlTable::flag(std::string_view key) const {
   return find<bool>(key, {"true or false", [](bool) { return true; }, false}).value_or(false);
 }
 
+std::optional<double> TomlTable::number(std::string_view key) const {
+  const toml::node* node = content_->table->get(key);
+  return node ? converted<double>(*node) : std::nullopt;
+}
+
 std::string TomlTable::choice(std::string_view key, std::string_view expected,
                               const std::vector<std::string>& known) const {
   const std::string one_of = one_of_text(expected, known);

@@ -40,6 +40,8 @@ class TomlTable {
   template <class T>
   std::optional<T> find(std::string_view key, const Rule<T>& rule) const;
   bool flag(std::string_view key) const;  // false when absent
+  // The number at a key; nothing where there is none, which is no mistake.
+  std::optional<double> number(std::string_view key) const;
 
   // Returns a text that is one of the known ones. Throws CaseFileErrors with the nearest.
   std::string choice(std::string_view key, std::string_view expected,

@@ -181,24 +181,22 @@ Block narrowed_run(const Block& block, const TomlTable& group, const Kept& kept)
 
 // The tables of keys that explain a block: its own and, in a run, that of its solver.
 std::vector<const KeyTable*> tables_of(const Block& block) {
-  std::string solver;  // in quotes
+  std::string solver;
   for (const std::string& line : block.lines)
     if (key_of(line) == "solver") {
       const std::size_t quote = line.find('"');
-      solver = line.substr(quote, line.find('"', quote + 1) + 1 - quote);
+      solver = line.substr(quote + 1, line.find('"', quote + 1) - quote - 1);
     }
   std::vector<const KeyTable*> tables;
   for (const KeyTable& table : case_key_tables()) {
     const bool is_own = block.head.empty() ? table.id == "case" : table.heading == block.head;
-    const bool is_solvers = !solver.empty() && table.heading.starts_with("[[run]] with solver") &&
-                            table.heading.find(solver) != std::string::npos;
+    const bool is_solvers =
+        std::find(table.solvers.begin(), table.solvers.end(), solver) != table.solvers.end();
     if (is_own || is_solvers) tables.push_back(&table);
     if (is_solvers) solver.clear();  // a record's first form is the shipped one
   }
   return tables;
 }
-
-bool is_table(const KeyEntry& key) { return key.value.starts_with("the table"); }
 
 bool has_key(const Block& block, const std::string& key) {
   return std::any_of(block.lines.begin(), block.lines.end(),
@@ -206,7 +204,7 @@ bool has_key(const Block& block, const std::string& key) {
 }
 
 std::string explanation_of(const KeyEntry& key) {
-  return key.name + ": " + key.value + "." + (key.meaning.empty() ? "" : " " + key.meaning);
+  return key.name + ": " + key.value.words() + "." + (key.meaning.empty() ? "" : " " + key.meaning);
 }
 
 // A line of the block, for a file that lies elsewhere and a case of another name.
@@ -229,7 +227,7 @@ std::string commented(const Block& block, const CaseDefinition& like, const std:
     if (!block.head.empty() && !table->meaning.empty() && explained.insert(table->id).second)
       text += comment(table->meaning);
     for (const KeyEntry& key : table->keys)
-      if (!is_table(key) && !has_key(block, key.name) &&
+      if (!key.value.is_table() && !has_key(block, key.name) &&
           explained.insert(table->id + "." + key.name).second)
         rest += comment("Not here: " + explanation_of(key));
   }

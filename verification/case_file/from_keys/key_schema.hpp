@@ -8,7 +8,6 @@
 
 namespace slosh {
 
-// The shipped copies are case.schema.json and campaign.schema.json of this folder.
 std::string case_schema();
 std::string campaign_schema();
 

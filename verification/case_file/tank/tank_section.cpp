@@ -5,16 +5,13 @@
 
 #include "verification/case/usual_values.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/key_table.hpp"
 
 namespace slosh {
-namespace {
 
-Rule<double> between(const char* least_name, double least, const char* most_name, double most) {
-  return {fmt::format("a number above {} ({}) and <= the tank's {} ({}), in m", least_name, least,
-                      most_name, most),
-          [least, most](double value) { return value > least && value <= most; }};
-}
+using namespace key;
+using namespace needed;
+
+namespace {
 
 // A gauge has no surface to measure if an obstacle fills its column from the bottom to the still
 // level.
@@ -74,76 +71,115 @@ bool overlap(const ObstacleDefinition& a, const ObstacleDefinition& b) {
 
 // Trough and crest have the same height: the trough must leave the bottom covered, and the crest
 // must stay below the roof.
-Rule<double> inside_tank(const TankDefinition& tank, double fill_depth) {
-  const double most = std::min(fill_depth, tank.height - fill_depth);
+Rule<double> within_liquid(const CaseDefinition& definition) {
+  const double depth = definition.liquid.fill_depth, room = definition.tank.height - depth,
+               most = std::min(depth, room);
   return {fmt::format("a number other than 0 of a magnitude below {:.6g}, in m: shallower than the "
                       "liquid ({}) and below the roof ({} above it)",
-                      most, fill_depth, tank.height - fill_depth),
+                      most, depth, room),
           [most](double amplitude) { return amplitude != 0 && std::abs(amplitude) < most; }};
 }
 
-// The density of one liquid beside the viscosity of another would be neither.
-bool names_no_properties(const TomlTable& fluid) {
-  return !fluid.has("density_kg_m3") && !fluid.has("kinematic_viscosity_m2_s");
-}
+bool is_told_by_sides(const TomlTable& tank) { return !tells_outline(tank); }
 
 }  // namespace
 
+const FieldTable<TankDefinition> tank_table{
+    {"tank", "[tank]", "yes",
+     "A tank, seen from the side: a rectangle, a polygon or a lying cylinder. x counts from its "
+     "left end and z from its lowest place. Beside outline_m or diameter_m there is no obstacle, "
+     "no initial wave, no column_width_m and no wall_forces, and only the solvers sph, "
+     "interfoam, interisofoam, compressible_interfoam, linear, record, external and stored take "
+     "the case."},
+    {field("length_m", &TankDefinition::length, number("m").above(0),
+           one_of_three().when(is_told_by_sides), "The inner length."),
+     field("height_m", &TankDefinition::height, number("m").above(0),
+           beside("length_m").when(is_told_by_sides), "The inner height, to the roof."),
+     {{"outline_m", KeyValue{KeyKind::corners, "list of corners [x, z], m"}, one_of_three(),
+       "The corners of the inner outline, counter-clockwise: 3 to 1000, with the smallest x and "
+       "the smallest z 0. The sides meet at the corners alone, and each horizontal line cuts the "
+       "outline in two places at most."}},
+     {{"diameter_m", number("m").above(0), one_of_three(),
+       "The diameter of a lying cylinder. The tank is a regular polygon of 128 corners, flat at "
+       "the bottom, with the area of the circle; its length and height are 0.9999 diameters."}},
+     field("breadth_m", &TankDefinition::breadth, number("m").above(0), no,
+           "The inner breadth of a narrow tank, from the front to the back wall. With it, SPH, "
+           "interFoam and interIsoFoam count the friction of these two walls, which they do not "
+           "see otherwise; the theories and compressibleInterFoam, which have no friction there, "
+           "are refused, but for a run of the latter in three dimensions (cells_y). Beside "
+           "outline_m or diameter_m the motion must have a single frequency. Default: no "
+           "friction.")}};
+
+const FieldTable<LiquidDefinition> liquid_table{
+    {"liquid", "[liquid]", "yes", ""},
+    {field("fill_depth_m", &LiquidDefinition::fill_depth, number("m").above(0).below(tank_height),
+           yes, "The still depth."),
+     field("density_kg_m3", &LiquidDefinition::density, number("kg/m3").above(0),
+           beside("kinematic_viscosity_m2_s"),
+           fmt::format("Without both the liquid is water at 20 °C, rounded: {} kg/m3 and {:g} "
+                       "m2/s (IAPWS R6-95: 998.2; R12-08: 1.003e-6).",
+                       water_density, water_kinematic_viscosity)),
+     field("kinematic_viscosity_m2_s", &LiquidDefinition::kinematic_viscosity,
+           number("m2/s").at_least(0), beside("density_kg_m3")),
+     field("column_width_m", &LiquidDefinition::column_width,
+           number("m").above(0).below(tank_length), no,
+           "Makes the liquid a dam about to break: it stands from the left wall to here.")}};
+
+const FieldTable<GasDefinition> gas_table{
+    {"gas", "[gas]", "no",
+     fmt::format(
+         "The gas above the liquid, for OpenFOAM and the two-layer theory. Without it the gas is "
+         "air at 20 °C, rounded: {} kg/m3 and {:g} m2/s (ISO 2533: 1.204 and 1.51e-5).",
+         air.density, air.kinematic_viscosity)},
+    {field("density_kg_m3", &GasDefinition::density, number("kg/m3").above(0).below(liquid_density),
+           yes),
+     field("kinematic_viscosity_m2_s", &GasDefinition::kinematic_viscosity,
+           number("m2/s").at_least(0), yes)}};
+
+const FieldTable<ObstacleDefinition> obstacle_table{
+    {"obstacle", "[[obstacle]]", "no",
+     "A solid rectangle that the tank carries. Rectangles may touch and must not overlap. None "
+     "may reach from wall to wall, fill a gauge's column from the bottom to the still level, "
+     "touch a pressure gauge, or hold a probe."},
+    {field("name", &ObstacleDefinition::name, name(), yes),
+     field("left_m", &ObstacleDefinition::left, number("m from the left wall").at_least(0), yes),
+     field("right_m", &ObstacleDefinition::right,
+           number("m from the left wall").above(Bound("left_m")).at_most(tank_length), yes),
+     field("bottom_m", &ObstacleDefinition::bottom, number("m from the bottom").at_least(0), yes),
+     field("top_m", &ObstacleDefinition::top,
+           number("m from the bottom").above(Bound("bottom_m")).at_most(tank_height), yes)}};
+
+const FieldTable<InitialWaveDefinition> initial_wave_table{
+    {"initial_wave", "[initial_wave]", "no, and not with column_width_m or an obstacle",
+     "A standing wave A cos(mode pi x / L) that is released from rest; x counts from the left "
+     "wall."},
+    {field("mode", &InitialWaveDefinition::mode, integer().at_least(1), yes,
+           "The number of half waves between the walls."),
+     field("amplitude_m", &InitialWaveDefinition::amplitude,
+           number("m").other_than_zero().by(within_liquid), yes,
+           "The amplitude A. Where it is positive, the crest is at the left wall. Its magnitude "
+           "is below the fill depth and below the room under the roof.")}};
+
 TankDefinition read_tank(const TomlTable& tank) {
-  tank.allow_only(keys_of("tank"));
-  TankDefinition read{};
-  if (tells_outline(tank)) {
-    read = read_outline(tank);
-  } else {
-    read.length = tank.get("length_m", positive("m"));
-    read.height = tank.get("height_m", positive("m"));
-  }
-  read.breadth = tank.find("breadth_m", positive("m"));
+  tank.allow_only(tank_table.names());
+  TankDefinition read = tells_outline(tank) ? read_outline(tank) : TankDefinition{};
+  tank_table.read_into(tank, {}, read);
   return read;
 }
 
-LiquidDefinition read_liquid(const TomlTable& liquid, const TankDefinition& tank) {
-  liquid.allow_only(keys_of("liquid"));
-  const Rule<double> inside_tank{
-      fmt::format("a number > 0 and below the tank's height ({}), in m", tank.height),
-      [height = tank.height](double depth) { return depth > 0 && depth < height; },
-      tank.height / 2};
-  const Rule<double> within_length{
-      fmt::format("a number > 0 and below the tank's length ({}), in m", tank.length),
-      [length = tank.length](double width) { return width > 0 && width < length; },
-      tank.length / 2};
-  const bool is_water = names_no_properties(liquid);
-  return {.fill_depth = liquid.get("fill_depth_m", inside_tank),
-          .density = is_water ? water_density : liquid.get("density_kg_m3", positive("kg/m3")),
-          .kinematic_viscosity = is_water
-                                     ? water_kinematic_viscosity
-                                     : liquid.get("kinematic_viscosity_m2_s", not_negative("m2/s")),
-          .column_width = liquid.find("column_width_m", within_length)};
-}
-
-GasDefinition read_gas(const TomlTable& gas, const LiquidDefinition& liquid) {
-  gas.allow_only(keys_of("gas"));
-  const Rule<double> lighter{
-      fmt::format("a number > 0 and below the liquid's density ({}), in kg/m3", liquid.density),
-      [most = liquid.density](double density) { return density > 0 && density < most; },
-      liquid.density / 2};
-  return {.density = gas.get("density_kg_m3", lighter),
-          .kinematic_viscosity = gas.get("kinematic_viscosity_m2_s", not_negative("m2/s"))};
+LiquidDefinition read_liquid(const TomlTable& liquid, const CaseDefinition& definition) {
+  return liquid_table.read_all(liquid, definition,
+                               {.fill_depth = 0,
+                                .density = water_density,
+                                .kinematic_viscosity = water_kinematic_viscosity});
 }
 
 ObstacleDefinition read_obstacle(const TomlTable& table, const CaseDefinition& definition) {
-  table.allow_only(keys_of("obstacle"));
-  const TankDefinition& tank = definition.tank;
-  ObstacleDefinition obstacle{};
-  obstacle.name = table.get("name", file_safe_name());
-  obstacle.left = table.get("left_m", not_negative("m"));
-  obstacle.right = table.get("right_m", between("left_m", obstacle.left, "length", tank.length));
-  obstacle.bottom = table.get("bottom_m", not_negative("m"));
-  obstacle.top = table.get("top_m", between("bottom_m", obstacle.bottom, "height", tank.height));
-  if (obstacle.left == 0 && obstacle.right == tank.length)
+  const ObstacleDefinition obstacle = obstacle_table.read_all(table, definition);
+  if (obstacle.left == 0 && obstacle.right == definition.tank.length)
     table.refuse("right_m", fmt::format("a number below the tank's length ({}), in m, for an "
                                         "obstacle from the left wall: it must leave a way past it",
-                                        tank.length));
+                                        definition.tank.length));
   refuse_swallowed_gauges(table, obstacle, definition);
   refuse_covered_sensors(table, obstacle, definition);
   refuse_swallowed_probes(table, obstacle, definition);
@@ -161,16 +197,14 @@ void refuse_overlaps(const std::vector<TomlTable>& tables,
 }
 
 InitialWaveDefinition read_initial_wave(const TomlTable& wave, const CaseDefinition& definition) {
-  wave.allow_only(keys_of("initial_wave"));
+  const InitialWaveDefinition read = initial_wave_table.read_all(wave, definition);
   if (definition.liquid.column_width)
     wave.refuse_table("a wave on a dam about to break",
                       "liquid without column_width_m, which stands from wall to wall");
   if (!definition.obstacles.empty())
     wave.refuse_table("a wave over an [[obstacle]]",
                       "a tank without one, whose modes are cosines from wall to wall");
-  return {.mode = wave.get("mode", at_least(1)),
-          .amplitude =
-              wave.get("amplitude_m", inside_tank(definition.tank, definition.liquid.fill_depth))};
+  return read;
 }
 
 }  // namespace slosh

@@ -81,18 +81,9 @@ INSTANTIATE_TEST_SUITE_P(
                 {"type = \"sine\"\n", ""},
                 "trial.toml:17: motion.surge.type is missing: expected a motion, one of sine, "
                 "sines, table"},
-        Mistake{"MissingNumber",
-                {"height_m = 1.0\n", ""},
-                "trial.toml:7: tank.height_m is missing: expected a number > 0, in m"},
         Mistake{"NestedTable",
                 {"[gas]", "[gas.air]"},
                 "trial.toml:14: gas.air = (a table): expected only these keys"},
-        Mistake{"TagsThatAreNoList",
-                {"tags = [\"surge\"]\n", "tags = \"surge\"\n"},
-                "trial.toml:5: tags = \"surge\": expected an array of texts"},
-        Mistake{"MissingReason",
-                {"reason = \"a reason\"\n", ""},
-                "trial.toml:52: gate.reason is missing: expected a text that is not empty"},
         Mistake{"MissingSection",
                 {"[tank]\nlength_m = 2\nheight_m = 1.0\n", ""},
                 "trial.toml:1: tank is missing: expected a table, [tank]"},
@@ -105,27 +96,12 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Types, CaseParserRefusal,
     ::testing::Values(
-        Mistake{"TextForNumber",
-                {"length_m = 2", "length_m = \"2\""},
-                "trial.toml:8: tank.length_m = \"2\": expected a number > 0, in m"},
-        Mistake{"BooleanForNumber",
-                {"length_m = 2", "length_m = true"},
-                "trial.toml:8: tank.length_m = true: expected a number > 0, in m"},
-        Mistake{"NumberForText",
-                {"\"A trial\"", "3"},
-                "trial.toml:3: title = 3: expected a text that is not empty"},
         Mistake{"NumberForInteger",
                 {"cells_x = 50", "cells_x = 50.0"},
                 "trial.toml:50: run.cells_x = 50.0: expected an integer from 2 to 10000"},
-        Mistake{"TextForBoolean",
-                {"quick = true", "quick = \"yes\""},
-                "trial.toml:46: run.quick = \"yes\": expected true or false"},
         Mistake{"NumberForTable",
                 {"[tank]\nlength_m = 2\nheight_m = 1.0\n", "tank = 3\n"},
                 "trial.toml:7: tank = 3: expected a table, [tank]"},
-        Mistake{"TextForTags",
-                {"[\"surge\"]", "\"surge\""},
-                "trial.toml:5: tags = \"surge\": expected an array of texts"},
         Mistake{"NumberInTags",
                 {"[\"surge\"]", "[\n\"surge\",\n4]"},
                 "trial.toml:7: tags = 4: expected a text"},
@@ -248,10 +224,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"WindowBeforeStart",
                 {"begin_s = 1.0", "begin_s = -1.0"},
                 "trial.toml:32: comparison.window_begin_s = -1.0: expected a number >= 0, in s"},
+        Mistake{"WindowAfterEnd",
+                {"window_begin_s = 1.0\nwindow_end_s = 20.0", "window_begin_s = 20.0"},
+                "trial.toml:32: comparison.window_begin_s = 20.0: expected a number below the "
+                "duration (20), in s"},
         Mistake{"WindowBeyondEnd",
                 {"end_s = 20.0", "end_s = 20.5"},
                 "trial.toml:33: comparison.window_end_s = 20.5: expected a number above "
-                "window_begin_s (1) and <= the duration (20), in s"},
+                "window_begin_s (1) and <= duration_s (20), in s"},
         Mistake{"WindowInverted",
                 {"end_s = 20.0", "end_s = 0.5"},
                 "trial.toml:33: comparison.window_end_s = 0.5: expected"},
@@ -343,16 +323,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial.toml:46: run.variant = \"\": expected a text that is not empty"},
         Mistake{"NoSmoothingLength",
                 {"quick = true", "smoothing_length_ratio = 0"},
-                "trial.toml:46: run.smoothing_length_ratio = 0: expected a number >= 0.5 and <= "
+                "trial.toml:46: run.smoothing_length_ratio = 0: expected a number from 0.5 to "
                 "10, without "
                 "unit"},
         Mistake{"NoSound",
                 {"quick = true", "sound_speed_ratio = -10.0"},
-                "trial.toml:46: run.sound_speed_ratio = -10.0: expected a number >= 1 and <= 1000, "
+                "trial.toml:46: run.sound_speed_ratio = -10.0: expected a number from 1 to 1000, "
                 "without unit"},
         Mistake{"NoTimeStep",
                 {"quick = true", "courant_number = 0"},
-                "trial.toml:46: run.courant_number = 0: expected a number >= 0.001 and <= 10, "
+                "trial.toml:46: run.courant_number = 0: expected a number from 0.001 to 10, "
                 "without unit"},
         Mistake{"NegativeAlpha",
                 {"quick = true", "artificial_viscosity = -0.1"},
@@ -549,7 +529,7 @@ INSTANTIATE_TEST_SUITE_P(
             "fill depth (0.5), in m, and >= 0.0001, the spacing of a hundred million particles"},
         Mistake{"SoundSlowerThanTheLiquid",
                 {"quick = true", "quick = true\nsound_speed_ratio = 0.001"},
-                "trial.toml:47: run.sound_speed_ratio = 0.001: expected a number >= 1 and <= 1000"},
+                "trial.toml:47: run.sound_speed_ratio = 0.001: expected a number from 1 to 1000"},
         Mistake{"SecondBoundOnTheSame",
                 {"source = \"a source\"\n",
                  "source = \"a source\"\n[[gate]]\ncandidate = \"coarse\"\nreference = "

@@ -490,7 +490,7 @@ TEST(StartOfARun, IsRefusedWhereItIsTooFarOrHasNothingToVary) {
   for (const char* value : {"-0.01", "0.21", "nan"}) {
     const std::string message = complaint_of(std::string("start_disorder = ") + value + "\n");
     EXPECT_TRUE(message.starts_with(std::string("trial.toml:46: run.start_disorder = ") + value +
-                                    ": expected a number >= 0 and <= 0.2, in particle spacings"))
+                                    ": expected a number from 0 to 0.2, in particle spacings"))
         << message;
   }
   EXPECT_TRUE(complaint_of("start_disorder = 0.1\nstart_seed = -1\n")
@@ -516,7 +516,7 @@ TEST(StartOfARun, RefusesATurnedLatticeThatWouldNotComeToRest) {
   };
   for (const char* value : {"-1", "46", "nan"})
     EXPECT_TRUE(complains(std::string("start_rotation_deg = ") + value + "\n",
-                          ": expected a number >= 0 and <= 45, in degrees"))
+                          ": expected a number from 0 to 45, in degrees"))
         << value;
   for (const char* state : {"", "initial_state = \"projected\"\n"})
     EXPECT_TRUE(complains(std::string("start_rotation_deg = 20\n") + state,

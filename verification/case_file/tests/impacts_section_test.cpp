@@ -116,7 +116,7 @@ TEST(Impacts, AreRefusedByTheirLine) {
       {{"= 2.45", "= -1"}, "trial.toml:41: impacts.plateau_begin_s = -1: expected a number >= 0"},
       {{"= 2.65", "= 2.45"},
        "trial.toml:42: impacts.plateau_end_s = 2.45: expected a number above plateau_begin_s "
-       "(2.45) and <= the duration (20), in s"},
+       "(2.45) and <= duration_s (20), in s"},
       {{"= 2.65", "= 21"}, "trial.toml:42: impacts.plateau_end_s = 21: expected"},
       {{"= 670", "= inf"}, "trial.toml:43: impacts.plateau_Pa = inf: expected a number > 0, in Pa"},
       {{"source = \"a paper\"\n", ""},

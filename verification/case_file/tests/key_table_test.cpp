@@ -78,21 +78,21 @@ std::vector<Line> assignments() {
   return lines;
 }
 
-std::string without_line(int number) {
+// The case with other text in place of a line.
+std::string with_line(int number, const std::string& other) {
   std::istringstream text(full_text);
-  std::string rest;
+  std::string edited;
   int i = 0;
-  for (std::string line; std::getline(text, line); ++i)
-    if (i != number) rest += line + "\n";
-  return rest;
+  for (std::string line; std::getline(text, line); ++i) edited += i == number ? other : line + "\n";
+  return edited;
 }
 
 TEST(KeyTable, SaysOfEachKeyWhetherACaseCanBeWithoutIt) {
   const Workspace workspace;
   int required = 0, optional = 0;
   for (const Line& line : assignments()) {
-    const std::string needed = entry(line.table, key_of(line.text)).needed;
-    const std::string found = complaint(workspace.write("trial.toml", without_line(line.number)));
+    const std::string needed = entry(line.table, key_of(line.text)).needed.words;
+    const std::string found = complaint(workspace.write("trial.toml", with_line(line.number, "")));
     const bool is_optional = needed == "no";
     EXPECT_EQ(found.empty(), is_optional)
         << line.table << "." << line.text << " is needed: " << needed << "; " << found;
@@ -102,13 +102,49 @@ TEST(KeyTable, SaysOfEachKeyWhetherACaseCanBeWithoutIt) {
   EXPECT_GE(optional, 10);
 }
 
+// Values of other types than that of a key.
+std::vector<std::string> mistaken(KeyKind kind) {
+  switch (kind) {
+    case KeyKind::number:
+      return {"\"2\"", "true", "nan", "inf", "[1.0]", "1979-05-27"};
+    case KeyKind::integer:
+      return {"\"2\"", "true", "3.0", "5000000000", "1979-05-27"};
+    case KeyKind::text:
+    case KeyKind::name:
+    case KeyKind::choice:
+      return {"3", "true", "\"\"", "1979-05-27"};
+    case KeyKind::list:
+    case KeyKind::numbers:
+    case KeyKind::increasing_numbers:
+      return {"\"a\"", "3", "[true]"};
+    default:
+      return {"\"yes\"", "3", "1979-05-27"};
+  }
+}
+
+TEST(KeyTable, RefusesAValueOfAnotherTypeAtEachKey) {
+  const Workspace workspace;
+  for (const Line& line : assignments()) {
+    const std::string key = key_of(line.text),
+                      place = "trial.toml:" + std::to_string(line.number + 1);
+    for (const std::string& value : mistaken(entry(line.table, key).value.kind)) {
+      const std::string found = complaint(
+          workspace.write("trial.toml", with_line(line.number, key + " = " + value + "\n")));
+      EXPECT_TRUE(found.starts_with(place + ": ") && found.find(key + " = ") != found.npos &&
+                  found.find(": expected ") != found.npos)
+          << line.table << "." << key << " = " << value << ": " << found;
+    }
+  }
+}
+
 TEST(KeyTable, NamesEachKeyOfATableOnceAndSaysWhatItHolds) {
   for (const auto* tables : {&case_key_tables(), &campaign_key_tables()})
     for (const KeyTable& table : *tables) {
       std::set<std::string> names;
       for (const KeyEntry& key : table.keys) {
         EXPECT_TRUE(names.insert(key.name).second) << table.id << "." << key.name;
-        EXPECT_FALSE(key.value.empty() || key.needed.empty()) << table.id << "." << key.name;
+        EXPECT_FALSE(key.value.words().empty() || key.needed.words.empty())
+            << table.id << "." << key.name;
       }
     }
 }
