@@ -55,12 +55,13 @@ const TimeSeries& series_of(const CaseRuns& runs, const std::string& run,
 
 TimeSeries moved_series(const CaseRuns& runs, const std::string& run, const std::string& quantity,
                         const Moved& moved) {
-  TimeSeries series = series_of(runs, run, quantity + moved.suffix);
-  if (!moved.other_way) return series;
-  const TimeSeries& own = series_of(runs, run, quantity);
+  TimeSeries series = series_of(runs, run, quantity);
+  if (moved.share == 0) return series;
+  const TimeSeries& other = series_of(runs, run, quantity + moved.suffix);
   // Potential flow and the one with fewer nodes have their samples in common.
-  const std::size_t common = std::min(series.value.size(), own.value.size());
-  for (std::size_t i = 0; i < common; ++i) series.value[i] = 2 * own.value[i] - series.value[i];
+  const std::size_t common = std::min(series.value.size(), other.value.size());
+  for (std::size_t i = 0; i < common; ++i)
+    series.value[i] += moved.share * (other.value[i] - series.value[i]);
   return series;
 }
 
@@ -274,12 +275,12 @@ GateEvidence CaseEvidence::gate_evidence() {
   const GateEvidence evidence{find,     find_series, measure_impacts, {},     cost,
                               ensemble, history,     fields,          repeats};
   const auto against_moved = [this, evidence](const GateRow& row, const std::string& suffix,
-                                              bool other_way) {
+                                              double share) {
     GateEvidence moved = evidence;
     moved.comparison = [&](const std::string& candidate, const std::string& reference,
                            const std::string& quantity) -> const Comparison& {
       return comparison_with(candidate, reference, quantity,
-                             reference == row.reference ? Moved{suffix, other_way} : Moved{});
+                             reference == row.reference ? Moved{suffix, share} : Moved{});
     };
     return measured(row, moved);
   };

@@ -2,6 +2,8 @@
 // window, each computed once and cached.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <array>
 #include <map>
 #include <memory>
@@ -32,13 +34,13 @@ TimeWindow compared_window(const CaseDefinition& definition, const std::string& 
 // its comparisons.
 using PreparedKey = std::tuple<std::string, std::string, std::string, double, double, std::size_t>;
 
-// A series as it is, or moved to the one with the suffix that its run leaves beside it, or as far
-// the other way.
+// A series as it is, or moved by a share of its distance from the one with the suffix that its run
+// leaves beside it.
 struct Moved {
   std::string suffix = {};
-  bool other_way = false;
+  double share = 0;
 
-  std::string text() const { return suffix + (other_way ? "/other_way" : ""); }
+  std::string text() const { return share == 0 ? "" : fmt::format("{}/{}", suffix, share); }
 };
 
 struct FittedComparisons {

@@ -98,7 +98,7 @@ Contribution of_impacts(const ImpactsDefinition& impacts, const GateRow& row, do
   throw std::logic_error("no uncertainty is published for " + metric_name(row.metric));
 }
 
-// What a theory leaves beside its series, and the multiple of the change that counts.
+// What a theory leaves beside its series, and the multiple of the distance that counts.
 struct LeftBeside {
   const char *suffix, *text;
   double factor;
@@ -127,14 +127,14 @@ Contribution of_theory(const CaseRuns& runs, const RunDefinition& reference, con
                       "is missing",
                       text, row.quantity, reference.name, row.quantity, suffix));
     double largest = 0;
-    for (const bool other_way : {false, true}) {
-      double change = measures.measure_against_moved(row, suffix, other_way).value - own;
+    for (const double share : {factor, -factor}) {
+      double change = measures.measure_against_moved(row, suffix, share).value - own;
       if (is_angle(row.metric)) change = std::remainder(change, 360);
       largest = std::isnan(change) ? change : std::max(largest, std::abs(change));
       if (std::isnan(largest)) break;
     }
-    squares += factor * factor * largest * largest;
-    counted.push_back(fmt::format("{} {}", text, in_unit(factor * largest, row.unit)));
+    squares += largest * largest;
+    counted.push_back(fmt::format("{} {}", text, in_unit(largest, row.unit)));
   }
   return {std::sqrt(squares), fmt::format("{}", fmt::join(counted, ", "))};
 }
