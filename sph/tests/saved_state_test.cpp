@@ -19,8 +19,8 @@ struct Named {
 };
 
 // Surging; and rolling where the scheme's walls can.
-Scene scene_of(const Named& named, bool rolls) {
-  Scene scene = surging_and_rolling_scene(0.05, 0.05);
+Scene scene_of(const Named& named, bool rolls, double spacing = 0.05) {
+  Scene scene = surging_and_rolling_scene(spacing, 0.05);
   if (!rolls) scene.roll.reset();
   scene.variant = named.variant;
   scene.sample_interval = 0.005;
@@ -125,7 +125,7 @@ TEST_P(Resume, GoesOnBitForBitWithOneAndTwoThreads) {
 // Each particle then has a spacing of its own.
 TEST(Resume, GoesOnBitForBitWithTwoSpacings) {
   const Named named{"li2010", ""};
-  Scene scene = scene_of(named, false);
+  Scene scene = scene_of(named, false, 0.02);
   scene.surface_particle_spacing = 0.5 * scene.particle_spacing;
   const WholeRun whole = run_whole(named, scene);
   ASSERT_TRUE(whole.states.front().fields.contains("spacing"));
@@ -215,7 +215,7 @@ TEST_F(RefusedState, WithANumberThatIsNotFinite) {
 TEST_F(RefusedState, WithAPartThatIsMissingOrOfAnotherLength) {
   SavedState bad = state;
   bad.fields["density"].pop_back();
-  says(refusal("recommended", scene, bad), "state's density has 479 numbers: expected 480");
+  says(refusal("recommended", scene, bad), "state's density has 79 numbers: expected 80");
   bad = state;
   bad.fields.erase("mass");
   says(refusal("recommended", scene, bad), "fields are");

@@ -34,7 +34,9 @@ const RunDefinition* theory_in_range(const CaseDefinition& definition, const Cas
 
 RunResult predicted(const CaseDefinition& definition, const RunDefinition& theory, Input input,
                     double change) {
-  return execute(with_input(definition, input, change), theory, {}, [](double, double) {});
+  RunSettings settings;
+  settings.with_left_out = false;
+  return execute(with_input(definition, input, change), theory, settings, [](double, double) {});
 }
 
 bool is_open(const RunStatus& status) {

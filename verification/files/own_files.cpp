@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <map>
 #include <set>
@@ -23,8 +24,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* list_name = ".slosh";
 constexpr const char* refusal =
-    "will not replace what Slosh has not left so, by its list .slosh there; expected another "
-    "place, or that you remove it, as after a change of Slosh's version";
+    "will not replace what Slosh has not left so, by its list .slosh there; name another place, or "
+    "remove this file, as after a change of Slosh's version";
 
 [[noreturn]] void refuse(const std::string& action, const fs::path& path, int reason) {
   throw fs::filesystem_error(action, path, std::error_code(reason, std::generic_category()));
@@ -76,8 +77,8 @@ Identities listed_in(const fs::path& directory) try {
 
 void append(const std::string& lines, const fs::path& directory) {
   const fs::path list = directory / list_name;
-  const int descriptor =
-      ::open(list.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666);
+  const int descriptor = ::open(
+      list.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
   if (descriptor < 0) refuse("cannot write", list, errno);
   const bool is_written =
       ::write(descriptor, lines.data(), lines.size()) == static_cast<ssize_t>(lines.size());
@@ -89,7 +90,8 @@ void append(const std::string& lines, const fs::path& directory) {
 // A name of two lines cannot stand in a list, and stays foreign.
 std::string line_of(const std::string& identity, const fs::path& path) {
   const std::string name = path.filename().string();
-  return name.find('\n') == name.npos ? identity + " " + name + "\n" : "";
+  // A line that a full disk has cut ends where the next begins.
+  return name.find('\n') == name.npos ? "\n" + identity + " " + name + "\n" : "";
 }
 
 void add(const std::string& identity, const fs::path& path) {
@@ -150,6 +152,17 @@ void replace_listed(const fs::path& place, std::string_view content, const std::
   replace_file(place, content, Durability::process_crash);
 }
 
+// Removes a list that names none but these paths, of which none is there.
+void remove_unless_used(const fs::path& list, const std::vector<fs::path>& paths) try {
+  for (const auto& [name, identities] : listed_in(list.parent_path())) {
+    const fs::path place = list.parent_path() / name;
+    const bool is_mine = std::find(paths.begin(), paths.end(), place) != paths.end();
+    if (!is_mine || fs::exists(fs::symlink_status(place))) return;
+  }
+  fs::remove(list);
+} catch (const fs::filesystem_error&) {  // it stays
+}
+
 }  // namespace
 
 std::optional<fs::path> foreign_at(const fs::path& path) {
@@ -195,6 +208,7 @@ OpenOutputs::OpenOutputs(std::vector<fs::path> paths, std::string command)
   for (fs::path& path : paths_) path = own_place(path, command_);
   for (const fs::path& path : paths_) {
     fs::create_directories(path.parent_path());
+    if (open_mark(path.parent_path()).empty()) new_lists_.push_back(path.parent_path() / list_name);
     append("", path.parent_path());  // which makes the list that the mark names
     add(open_mark(path.parent_path()), path);
   }
@@ -209,8 +223,9 @@ OpenOutputs::~OpenOutputs() {
   for (const fs::path& path : paths_) try {
       if (fs::is_directory(fs::symlink_status(path))) list_all_in(path);
       add(identity_of(path, command_), path);
-    } catch (const fs::filesystem_error&) {  // it stays open
+    } catch (const std::exception&) {  // it stays open
     }
+  for (const fs::path& list : new_lists_) remove_unless_used(list, paths_);
 }
 
 }  // namespace slosh

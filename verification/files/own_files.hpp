@@ -54,6 +54,7 @@ class OpenOutputs {
   OpenOutputs(std::vector<std::filesystem::path> paths, std::string command);
 
   std::vector<std::filesystem::path> paths_;
+  std::vector<std::filesystem::path> new_lists_;  // of directories that had none
   std::string command_;
 };
 

@@ -59,6 +59,7 @@ std::vector<std::filesystem::path> places_of(const RunRequest& request) {
   if (settings.snapshot_interval != 0 || settings.state_interval != 0)
     endings = {".snapshots.h5", ".snapshots.xmf", ".state.h5", ".last_good.h5"};
   std::vector<std::filesystem::path> places;
+  if (settings.work_directory.empty()) return places;
   for (const char* ending : endings) {
     const std::filesystem::path work = std::filesystem::absolute(settings.work_directory);
     places.push_back(std::filesystem::weakly_canonical(work.parent_path()) / work.filename() /

@@ -43,7 +43,8 @@ RunResult run_solver(const ViscousWaveRun&, const RunRequest& request) {
   for (const GaugeDefinition& gauge : definition.gauges)
     result.series.push_back({"elevation@" + gauge.name, "m", times,
                              wave.elevation(gauge.x - definition.tank.length / 2, times)});
-  add_beyond_linear(definition, wave.elevation(definition.tank.length / 2, times), result);
+  if (request.settings.with_left_out)
+    add_beyond_linear(definition, wave.elevation(definition.tank.length / 2, times), result);
   request.progress(definition.duration, 0);
   // It is nowhere and never higher than where and when it is let go.
   const double highest = std::abs(definition.initial_wave->amplitude);

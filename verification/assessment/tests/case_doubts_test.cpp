@@ -159,7 +159,7 @@ TEST(CaseDoubts, TellOfAScriptWhoseModulesAreNoPartOfItsKey) {
   external.command = {"python3", "-m", "mine"};
   definition.runs.push_back(sample_run(external));
   definition.runs.back().name = "mine";
-  EXPECT_TRUE(doubts(definition, "run mine: what python3 loads is no part of its key"));
+  EXPECT_TRUE(doubts(definition, "run mine: what python3 loads or holds is no part of its key"));
   std::get<ExternalRun>(definition.runs.back().solver).inputs = {"mine"};
   EXPECT_EQ(case_doubts(definition, theory(0.03)), std::vector<std::string>{});
 }

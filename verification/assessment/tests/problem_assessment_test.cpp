@@ -176,7 +176,7 @@ TEST(ProblemGate, CallsEachShippedRowOnAMeasuredLimitARegressionRow) {
         regressions += measured;
       }
   }
-  EXPECT_EQ(regressions, 24);
+  EXPECT_EQ(regressions, 7);
 }
 
 }  // namespace

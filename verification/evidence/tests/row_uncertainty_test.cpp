@@ -256,7 +256,7 @@ TEST(RowUncertainty, OfLinearTheoryCountsTheModesThatItLacksAndIsUnknownWhereItD
   ASSERT_TRUE(series.at(1).name.ends_with(finer));
   series[1] = scaled(series[1], 1.01);
   const GateOutcome outcome = assess(definition, runs).gate.at(0);
-  EXPECT_NEAR(outcome.judgement->contributions.reference.known(), 1.25 * (1 / 0.99 - 1), 1e-6);
+  EXPECT_NEAR(outcome.judgement->contributions.reference.known(), 1 / (1 - 1.25 * 0.01) - 1, 1e-6);
   EXPECT_EQ(outcome.verdict, Verdict::pass);
   series.pop_back();  // the waves were too steep for an estimate
   const GateOutcome unknown = assess(definition, runs).gate.at(0);
