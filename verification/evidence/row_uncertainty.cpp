@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 
@@ -116,7 +117,7 @@ bool leaves(const RunDefinition& run, std::string_view suffix) {
 Contribution of_theory(const CaseRuns& runs, const RunDefinition& reference, const GateRow& row,
                        const RowMeasures& measures) {
   if (row.kind == RowKind::regression) return as_when_measured("against the same theory");
-  const double own = measures.measure(row).value;
+  const Estimate own = measures.measure(row);
   double squares = 0;
   std::vector<std::string> counted;
   for (const auto& [suffix, text, factor] : left_beside_theory) {
@@ -127,10 +128,17 @@ Contribution of_theory(const CaseRuns& runs, const RunDefinition& reference, con
                       "is missing",
                       text, row.quantity, reference.name, row.quantity, suffix));
     double largest = 0;
-    for (const double share : {factor, -factor}) {
-      double change = measures.measure_against_moved(row, suffix, share).value - own;
+    // A metric without a fit need not change steadily; its interval is what it cannot tell apart.
+    const bool is_fitted = metric_entry(row.metric).fitted != FittedTones::none;
+    std::set<double> shares{factor, -factor};
+    if (!is_fitted) shares.insert({1, -1});
+    for (const double share : shares) {
+      const Estimate moved = measures.measure_against_moved(row, suffix, share);
+      double change = moved.value - own.value;
       if (is_angle(row.metric)) change = std::remainder(change, 360);
-      largest = std::isnan(change) ? change : std::max(largest, std::abs(change));
+      change = std::abs(change);
+      if (!is_fitted) change += std::max(0.0, moved.half_width - own.half_width);
+      largest = std::isnan(change) ? change : std::max(largest, change);
       if (std::isnan(largest)) break;
     }
     squares += largest * largest;

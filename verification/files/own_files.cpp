@@ -134,6 +134,26 @@ fs::path own_place(const fs::path& path, const std::string& command) {
   return place;
 }
 
+// Returns the standard stream that writes to this very file, or -1.
+int stream_to(const fs::path& file) {
+  struct stat there, of_stream;
+  if (::stat(file.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return -1;
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+    if (::fstat(stream, &of_stream) == 0 && of_stream.st_dev == there.st_dev &&
+        of_stream.st_ino == there.st_ino)
+      return stream;
+  return -1;
+}
+
+void write_to(int stream, std::string_view content, const fs::path& file) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(stream, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) refuse("cannot write", file, errno);
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
 bool is_written_through(const fs::path& file) {
   return fs::exists(file) && !fs::is_regular_file(file);
 }
@@ -176,6 +196,7 @@ void replace_own(const fs::path& file, std::string_view content) {
 }
 
 void replace_named(const fs::path& file, std::string_view content, const char* command) {
+  if (const int stream = stream_to(file); stream >= 0) return write_to(stream, content, file);
   if (is_written_through(file)) return replace_file(file, content, Durability::process_crash);
   replace_listed(own_place(named_place(file), command), content, command);
 }

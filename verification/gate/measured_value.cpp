@@ -45,13 +45,21 @@ Estimate decay_error_of(const ModeComparison& mode) {
   return mode.decay_error;
 }
 
+// Which of peaks of nearly the same power is the highest is chance: the interval holds them all.
 Estimate spectral_peak_error(const Comparison& comparison) {
-  if (comparison.candidate_peaks.empty() || comparison.reference_peaks.empty())
+  constexpr double nearly = 0.9;
+  const std::vector<SpectralPeak>&candidates = comparison.candidate_peaks,
+        &references = comparison.reference_peaks;
+  if (candidates.empty() || references.empty())
     throw ComparisonError("one of the spectra has no peak");
-  return {
-      comparison.candidate_peaks.front().frequency / comparison.reference_peaks.front().frequency -
-          1,
-      0};
+  Estimate error{candidates.front().frequency / references.front().frequency - 1, 0};
+  for (const SpectralPeak& one : candidates)
+    for (const SpectralPeak& other : references)
+      if (one.power >= nearly * candidates.front().power &&
+          other.power >= nearly * references.front().power)
+        error.half_width =
+            std::max(error.half_width, std::abs(one.frequency / other.frequency - 1 - error.value));
+  return error;
 }
 
 TimeWindow window_of(const GateRow& row, const Comparison& comparison) {

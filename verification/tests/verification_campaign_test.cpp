@@ -57,20 +57,19 @@ source = "made for a test"
 [[problem]]
 name = "gamma_map"
 [[problem.gate]]
-measure = "slope_wendland_c2"
-metric = "error_at_finest"
+measure = "limit"
+metric = "largest_error"
 unit = "1"
-limit = 1e-3
+limit = 0.1
 reason = "a reason"
 source = "a source"
 )";
 
 TEST_F(VerificationCampaign, EndsWithOneWhereALimitIsViolated) {
-  write("suite.toml", with(small_suite, "1e-3", "1e-6"));
+  write("suite.toml", with(small_suite, "limit = 0.1", "limit = 1e-3"));
   const Ended run = tool({"campaign", "./suite.toml", "--output", "out"});
   EXPECT_EQ(run.status, 1) << run.err;
-  EXPECT_NE(run.out.find("violated       kernels error_at_finest slope_wendland_c2"),
-            std::string::npos)
+  EXPECT_NE(run.out.find("violated       gamma_map largest_error limit"), std::string::npos)
       << run.out;
   EXPECT_NE(run.out.find("FAIL: 0 of 1 gate rows hold, 1 violated."), std::string::npos);
 }
@@ -78,7 +77,7 @@ TEST_F(VerificationCampaign, EndsWithOneWhereALimitIsViolated) {
 TEST_F(VerificationCampaign, NeverPassesATruncatedResultAndComputesItAgain) {
   write("suite.toml", small_suite);
   ASSERT_EQ(tool({"campaign", "./suite.toml", "--output", "out"}).status, 0);
-  const fs::path result = directory() / "out/problems/kernels.json";
+  const fs::path result = directory() / "out/problems/gamma_map.json";
   fs::resize_file(result, fs::file_size(result) / 2);
   EXPECT_EQ(tool({"report", "./suite.toml", "--output", "out"}).status, 4);
   const Ended again = tool({"campaign", "./suite.toml", "--output", "out"});
@@ -87,13 +86,13 @@ TEST_F(VerificationCampaign, NeverPassesATruncatedResultAndComputesItAgain) {
 }
 
 TEST_F(VerificationCampaign, NamesTheNearestProblemOfAWrongName) {
-  const Ended one = tool({"problem", "kernel"});
+  const Ended one = tool({"problem", "gama_map"});
   EXPECT_EQ(one.status, 2);
-  EXPECT_NE(one.err.find("nearest: kernels"), std::string::npos) << one.err;
-  write("suite.toml", with(small_suite, "\"kernels\"", "\"kernel\""));
+  EXPECT_NE(one.err.find("nearest: gamma_map"), std::string::npos) << one.err;
+  write("suite.toml", with(small_suite, "\"gamma_map\"", "\"gama_map\""));
   const Ended all = tool({"campaign", "./suite.toml"});
   EXPECT_EQ(all.status, 2);
-  EXPECT_NE(all.err.find("suite.toml:6: problem.name = \"kernel\": expected a problem, one of "),
+  EXPECT_NE(all.err.find("suite.toml:6: problem.name = \"gama_map\": expected a problem, one of "),
             std::string::npos)
       << all.err;
 }

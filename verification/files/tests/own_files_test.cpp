@@ -1,6 +1,7 @@
 // What Slosh removes and replaces is what it has made, whatever other files are called.
 #include "verification/files/own_files.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -125,6 +126,20 @@ TEST_F(OwnFiles, AreReplacedBesideOthersOfATemporaryName) {
   EXPECT_EQ(read_bytes(path() / "a"), "new");
   EXPECT_TRUE(fs::is_directory(path() / "b"));
   for (const fs::path& file : {mine, directory}) EXPECT_EQ(read_bytes(file), "a week of work");
+}
+
+// As of `--json /dev/stdout >> log`.
+TEST_F(OwnFiles, GoWhereAStandardStreamWritesToTheSameFile) {
+  const fs::path log = made("log");
+  const int kept = ::dup(STDOUT_FILENO), appending = ::open(log.c_str(), O_WRONLY | O_APPEND);
+  ASSERT_GE(appending, 0);
+  ::dup2(appending, STDOUT_FILENO);
+  EXPECT_NO_THROW(replace_named("/dev/stdout", "; a result", "compare"));
+  ::dup2(kept, STDOUT_FILENO);
+  ::close(kept);
+  ::close(appending);
+  EXPECT_EQ(read_bytes(log), "a week of work; a result");
+  EXPECT_FALSE(fs::exists(path() / ".slosh"));
 }
 
 }  // namespace

@@ -253,6 +253,17 @@ TEST(Gate, TakesEachMetricFromItsPlace) {
   EXPECT_DOUBLE_EQ(value(Metric::mean_offset, "whole", "m"), 0.002);
 }
 
+TEST(Gate, CountsEachOfTwoPeaksOfNearlyTheSamePower) {
+  Comparison comparison = comparison_of(0.01);
+  comparison.reference_peaks = {{1, 2}, {2, 1.9}, {4, 1.7}};
+  comparison.candidate_peaks = {{1, 2}};
+  const GateRow row = row_of(Metric::spectral_peak_error, "whole", "1", 0.4);
+  EXPECT_EQ(judge(row, comparison).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judge(row, comparison).value.half_width, 0.5);
+  comparison.reference_peaks.erase(comparison.reference_peaks.begin() + 1);
+  EXPECT_EQ(judge(row, comparison).verdict, Verdict::pass);
+}
+
 TEST(Gate, HasAValueForEveryMetricOfTheTable) {
   Comparison comparison = comparison_of(0.01);
   comparison.window = {0, 1};

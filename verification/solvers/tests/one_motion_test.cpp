@@ -228,6 +228,9 @@ std::vector<double> elevation(const CaseDefinition& definition,
 
 class OneMotion : public testing::TestWithParam<Kind> {
  protected:
+  // Below the current directory, as the case's own is.
+  void SetUp() override { std::filesystem::current_path(std::filesystem::temp_directory_path()); }
+
   const TemporaryDirectory directory_;
   const Kind kind_ = GetParam();
   const double unit_ = kind_ == Kind::surge ? 1 : std::numbers::pi / 180;
