@@ -44,8 +44,8 @@ bool rests_on_input_bounds(const CaseDefinition& definition, const GateRow& row)
 struct RowMeasures {
   FindComparison comparison = {};  // of the row's candidate and reference
   MeasureRow measure;
-  // Measures against the reference moved by a share of its distance from the series with this suffix
-  // that it leaves beside its own (SolverKind::leaves).
+  // Measures against the reference moved by a share of its distance from the series with this
+  // suffix that it leaves beside its own (SolverKind::leaves).
   std::function<Estimate(const GateRow&, const std::string& suffix, double share)>
       measure_against_moved = {};
   // input_uncertainty() of a row that rests on an experiment.

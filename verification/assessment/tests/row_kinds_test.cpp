@@ -35,8 +35,7 @@ TEST(RowKinds, CountProblemsAsExactSolutions) {
   earlier.kind = RowKind::regression;
   ProblemRun run{{RunState::finished, ""}, ProblemResult{}};
   run.result->outcome.measures = {{"velocity", {{0.2, 0.04}, {0.1, 0.01}, {0.05, 0.0025}}}};
-  const auto assessment =
-      assess(ProblemDefinition{"taylor_green", {order, earlier}}, run);
+  const auto assessment = assess(ProblemDefinition{"taylor_green", {order, earlier}}, run);
   EXPECT_EQ(kinds_sentence({}, {assessment}),
             "Validation rows: 1 of 1 pass; regression rows: 1 of 1. 50 % of the rows rest on an "
             "experiment (0), an exact solution (1) or a tolerance of this harness (0). 0 rows have "

@@ -82,7 +82,8 @@ TEST_F(ProblemResultFile, IsKeyedByProblemFormAndBuild) {
   const std::filesystem::path& builds = temporary_.path();
   std::ofstream(builds / "problems") << "one";
   std::ofstream(builds / "metric_problems") << "one";
-  const Problem &rotation = find_problem("rigid_rotation"), &coverage = find_problem("interval_coverage");
+  const Problem &rotation = find_problem("rigid_rotation"),
+                &coverage = find_problem("interval_coverage");
   const std::string key = problem_key(rotation, true, builds),
                     of_metrics = problem_key(coverage, true, builds);
   EXPECT_EQ(key, problem_key(rotation, true, builds));
