@@ -123,7 +123,8 @@ std::optional<fs::path> foreign_at(const fs::path& path, const Identities& liste
 
 // The absolute path without dots, which must be Slosh's.
 fs::path own_place(const fs::path& path, const std::string& command) {
-  require_no_input(path);
+  // A link itself is replaced, and not what it leads to.
+  if (!fs::is_symlink(fs::symlink_status(path))) require_no_input(path);
   fs::path place = fs::absolute(path).lexically_normal();
   if (!place.has_filename()) place = place.parent_path();
   for (fs::path at = place.parent_path(); at.has_relative_path(); at = at.parent_path())
