@@ -17,7 +17,6 @@
 
 #include "verification/files/bound_cores.hpp"
 #include "verification/files/child_process.hpp"
-#include "verification/files/foreign/legible_text.hpp"
 #include "verification/input/tables/table_reader.hpp"
 
 namespace slosh {
@@ -136,6 +135,13 @@ class LogPieces {
   int line_ = 1, end_ = '\r';
 };
 
+// Returns the end of a long line, which is what the program wrote last.
+std::string shortened(const std::string& line) {
+  constexpr std::size_t quoted = 200;
+  const std::string text(trimmed(line));
+  return text.size() > quoted ? "..." + text.substr(text.size() - quoted) : text;
+}
+
 }  // namespace
 
 void require_no_match(const std::vector<std::string>& fail_on, const fs::path& log) {
@@ -147,7 +153,7 @@ void require_no_match(const std::vector<std::string>& fail_on, const fs::path& l
       if (RE2::PartialMatch(log_now.text(), *pattern))
         throw program_failure(
             fmt::format("line {} of its log matches fail_on = \"{}\": {}", log_now.line(),
-                        pattern->pattern(), legible_message(trimmed(log_now.text()))),
+                        pattern->pattern(), shortened(log_now.text())),
             log);
 }
 
@@ -155,7 +161,7 @@ SolverError program_failure(const std::string& what, const fs::path& log) {
   constexpr std::size_t shown = 10;
   std::deque<std::string> lines;
   for (LogPieces piece(log); piece.next();) {
-    if (!trimmed(piece.text()).empty()) lines.push_back(legible_message(trimmed(piece.text())));
+    if (!trimmed(piece.text()).empty()) lines.push_back(shortened(piece.text()));
     if (lines.size() > shown) lines.pop_front();
   }
   const std::string last = lines.empty() ? "it said nothing" : "its last words: " + lines.back();
