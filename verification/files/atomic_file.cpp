@@ -41,15 +41,6 @@ class Descriptor {
   int id_;
 };
 
-void write_all(int descriptor, const fs::path& file, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = ::write(descriptor, content.data(), content.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail("cannot write", file);
-    content.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
-
 // A device or a pipe has no content to keep. A pipe that nobody reads is an error and no wait.
 void write_through(const fs::path& file, std::string_view content) {
   Descriptor descriptor(file, O_WRONLY | O_NONBLOCK);
@@ -65,12 +56,6 @@ void write_new(int opened, const fs::path& file, std::string_view content, Durab
   descriptor.close(file);
 }
 
-// The file to which symbolic links lead, which need not be there.
-fs::path linked_file(fs::path file) {
-  while (fs::is_symlink(file)) file = file.parent_path() / fs::read_symlink(file);
-  return file;
-}
-
 void require_free(const fs::path& directory) {
   if (!fs::exists(fs::symlink_status(directory))) return;
   if (!fs::is_directory(directory) || !fs::is_empty(directory))
@@ -79,6 +64,25 @@ void require_free(const fs::path& directory) {
 }
 
 }  // namespace
+
+void write_all(int descriptor, const fs::path& file, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(descriptor, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail("cannot write", file);
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+bool is_written_through(const fs::path& file) {
+  return fs::exists(file) && !fs::is_regular_file(file);
+}
+
+fs::path linked_file(fs::path file) {
+  (void)fs::exists(file);  // throws for links that lead in a circle
+  while (fs::is_symlink(file)) file = file.parent_path() / fs::read_symlink(file);
+  return file;
+}
 
 fs::path make_beside(const fs::path& place, const std::function<bool(const fs::path&)>& make) {
   for (int attempt = 0;; ++attempt) {
@@ -91,8 +95,7 @@ fs::path make_beside(const fs::path& place, const std::function<bool(const fs::p
 
 void replace_file(const fs::path& file, std::string_view content, Durability durability) {
   require_no_input(file);
-  if (fs::exists(file) && !fs::is_regular_file(file))  // throws for links that lead in a circle
-    return write_through(file, content);
+  if (is_written_through(file)) return write_through(file, content);
   const fs::path place = linked_file(fs::absolute(file)), directory = place.parent_path();
   fs::create_directories(directory);
   int opened = -1;

@@ -19,6 +19,16 @@ enum class Durability { process_crash, power_loss };
 void replace_file(const std::filesystem::path& file, std::string_view content,
                   Durability durability);
 
+// Writes all of it. Throws std::filesystem::filesystem_error with the file's name.
+void write_all(int descriptor, const std::filesystem::path& file, std::string_view content);
+
+// Whether the file is a device or a pipe. Throws std::filesystem::filesystem_error for links that
+// lead in a circle.
+bool is_written_through(const std::filesystem::path& file);
+
+// Returns where the links of a file lead, which need not be there. Throws as is_written_through().
+std::filesystem::path linked_file(std::filesystem::path file);
+
 // Makes a file or a directory of a temporary name beside the place and returns its path. `make`
 // returns false where there is something of that name, which a killed process may have left: it
 // stays, and another name is tried.

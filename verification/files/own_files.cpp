@@ -123,15 +123,16 @@ std::optional<fs::path> foreign_at(const fs::path& path, const Identities& liste
 
 // The absolute path without dots, which must be Slosh's.
 fs::path own_place(const fs::path& path, const std::string& command) {
-  // A link itself is replaced, and not what it leads to.
-  if (!fs::is_symlink(fs::symlink_status(path))) require_no_input(path);
   fs::path place = fs::absolute(path).lexically_normal();
   if (!place.has_filename()) place = place.parent_path();
+  const auto foreign = foreign_at(place, listed_in(place.parent_path()), command);
+  // A link of Slosh's is itself replaced, and not what it leads to.
+  const bool is_own_link = !foreign && fs::is_symlink(fs::symlink_status(place));
+  if (!is_own_link) require_no_input(path);
   for (fs::path at = place.parent_path(); at.has_relative_path(); at = at.parent_path())
     if (fs::is_symlink(fs::symlink_status(at)))
       refuse("will not write through a link; expected a directory", at, ELOOP);
-  if (const auto foreign = foreign_at(place, listed_in(place.parent_path()), command))
-    refuse(refusal, *foreign, EEXIST);
+  if (foreign) refuse(refusal, *foreign, EEXIST);
   return place;
 }
 
@@ -146,25 +147,10 @@ int stream_to(const fs::path& file) {
   return -1;
 }
 
-void write_to(int stream, std::string_view content, const fs::path& file) {
-  while (!content.empty()) {
-    const ssize_t written = ::write(stream, content.data(), content.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) refuse("cannot write", file, errno);
-    content.remove_prefix(static_cast<std::size_t>(written));
-  }
-}
-
-bool is_written_through(const fs::path& file) {
-  return fs::exists(file) && !fs::is_regular_file(file);
-}
-
 // Where the links of a file that the user names lead.
 fs::path named_place(const fs::path& file) {
   require_no_input(file);
-  fs::path place = fs::absolute(file);
-  if (fs::exists(place)) return fs::canonical(place);  // throws for links that lead in a circle
-  while (fs::is_symlink(place)) place = place.parent_path() / fs::read_symlink(place);
+  const fs::path place = linked_file(fs::absolute(file));
   return fs::weakly_canonical(place.parent_path()) / place.filename();
 }
 
@@ -197,7 +183,7 @@ void replace_own(const fs::path& file, std::string_view content) {
 }
 
 void replace_named(const fs::path& file, std::string_view content, const char* command) {
-  if (const int stream = stream_to(file); stream >= 0) return write_to(stream, content, file);
+  if (const int stream = stream_to(file); stream >= 0) return write_all(stream, file, content);
   if (is_written_through(file)) return replace_file(file, content, Durability::process_crash);
   replace_listed(own_place(named_place(file), command), content, command);
 }

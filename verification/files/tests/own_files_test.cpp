@@ -10,6 +10,7 @@
 
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::own_files_test {
@@ -126,6 +127,17 @@ TEST_F(OwnFiles, AreReplacedBesideOthersOfATemporaryName) {
   EXPECT_EQ(read_bytes(path() / "a"), "new");
   EXPECT_TRUE(fs::is_directory(path() / "b"));
   for (const fs::path& file : {mine, directory}) EXPECT_EQ(read_bytes(file), "a week of work");
+}
+
+// A stored result that another run reads as well.
+TEST_F(OwnFiles, AreLinksThatLeadToAnInput) {
+  const fs::path first = made("store/first"), second = made("store/second");
+  link_own(first, path() / "runs/one");
+  protect_input(first);
+  EXPECT_NO_THROW(link_own(second, path() / "runs/one"));
+  EXPECT_EQ(fs::read_symlink(path() / "runs/one"), second);
+  EXPECT_EQ(read_bytes(first), "a week of work");
+  EXPECT_THROW(replace_own(first, "new"), OutputError);
 }
 
 // As of `--json /dev/stdout >> log`.
