@@ -170,7 +170,6 @@ class Waves {
     if (!waves_.turn) return sum;
     const ThirdOrderWaves::Turn turn = waves_.turn(t);
     return sum + turned(turn, x_, at.eta) - turn.spin_rate * at.eta * (x_ - turn.axis_x);
-    return sum;
   }
 
   const ThirdOrderWaves& waves_;

@@ -1,6 +1,8 @@
 // The schemes and the variants of the recommended one, each by its own name.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -22,5 +24,11 @@ inline std::vector<std::string> schemes_and_variants() {
   for (const std::string& variant : variant_names()) names.push_back(variant);
   return names;
 }
+
+// Of tests that every scheme and variant passes.
+class EachNamedScheme : public testing::TestWithParam<std::string> {
+ protected:
+  RunOutput run_it(const Scene& scene) const { return run_named(GetParam(), scene); }
+};
 
 }  // namespace slosh::sph

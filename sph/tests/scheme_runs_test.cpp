@@ -29,10 +29,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
   return difference;
 }
 
-class RunOfEveryScheme : public testing::TestWithParam<std::string> {
- protected:
-  RunOutput run_it(const Scene& scene) const { return run_named(GetParam(), scene); }
-};
+class RunOfEveryScheme : public EachNamedScheme {};
 INSTANTIATE_TEST_SUITE_P(Named, RunOfEveryScheme, testing::ValuesIn(schemes_and_variants()),
                          [](const auto& scheme) { return scheme.param; });
 

@@ -22,10 +22,7 @@ RunOutput run_with_threads(int threads, const std::string& name, Scene scene) {
   return run_named(name, scene);
 }
 
-class EveryScheme : public testing::TestWithParam<std::string> {
- protected:
-  RunOutput run_it(const Scene& scene) const { return run_named(GetParam(), scene); }
-};
+class EveryScheme : public EachNamedScheme {};
 INSTANTIATE_TEST_SUITE_P(Named, EveryScheme, testing::ValuesIn(schemes_and_variants()),
                          [](const auto& scheme) { return scheme.param; });
 

@@ -119,9 +119,8 @@ std::vector<double> between_bounds(const CaseDefinition& definition, const Input
   const bool is_anywhere = one.half_width > repeat / 2;
   if (is_anywhere && one.input != Input::start_phase)
     throw ComparisonError(fmt::format(
-        "its half width of {:.4g} {unit} holds more than {:.4g} {unit}, within which the waves "
-        "repeat "
-        "themselves",
+        "its half width of {:.4g} {unit} exceeds {:.4g} {unit}, half of what the waves repeat "
+        "themselves within",
         one.half_width, repeat / 2, fmt::arg("unit", input_unit(one.input, definition.motion))));
   const double half = is_anywhere ? repeat / 2 : one.half_width;
   const int steps = static_cast<int>(std::ceil(2 * half / repeat * places_of_a_repeat));

@@ -7,16 +7,15 @@
 // repeats itself once. It does so within a turn of the start's phase, a length of the shortest wave
 // that carries much, and what turns the phase at the window's end once of a period, a depth or
 // gravity. A start that is wider than half a turn may be anywhere; any other input that is wider
-// than half a repeat has no known effect, as no such number of places shows it. Runs
-// are made at the bounds alone, so that their interval must be short (a twentieth of a
-// repeat). A central difference would be zero where m is a magnitude, such as
-// normalised_rms, with its least value at x. The prediction comes from the case's first theory of
-// the liquid alone that is inside its range, otherwise from the input's coarse run, repeated at
-// both bounds. The difference of two coarse runs includes their scatter: where the flow is chaotic
-// it is too large rather than too small. An input that cannot be propagated (a bound at which no
-// tank is possible, no prediction at both bounds) is named in `not_counted`; the other inputs
-// count. Without any, the row's u_input is unknown. Against theory or another method both sides
-// have the same inputs, and u_input is zero.
+// than half a repeat has no known effect, as no such number of places shows it. Runs are made at
+// the bounds alone, so that their interval must be short (a twentieth of a repeat). A central
+// difference would be zero where m is a magnitude, such as normalised_rms, with its least value at
+// x. The prediction comes from the case's first theory of the liquid alone that is inside its
+// range, otherwise from the input's coarse run, repeated at both bounds. The difference of two
+// coarse runs includes their scatter: where the flow is chaotic it is too large rather than too
+// small. An input that cannot be propagated (a bound at which no tank is possible, no prediction at
+// both bounds) is named in `not_counted`; the other inputs count. Without any, the row's u_input is
+// unknown. Against theory or another method both sides have the same inputs, and u_input is zero.
 #pragma once
 
 #include "verification/case/case_definition.hpp"

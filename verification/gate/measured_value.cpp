@@ -46,6 +46,7 @@ Estimate decay_error_of(const ModeComparison& mode) {
 }
 
 // Which of peaks of nearly the same power is the highest is chance: the interval holds them all.
+// Nine tenths are a convention.
 Estimate spectral_peak_error(const Comparison& comparison) {
   constexpr double nearly = 0.9;
   const std::vector<SpectralPeak>&candidates = comparison.candidate_peaks,

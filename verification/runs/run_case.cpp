@@ -52,6 +52,10 @@ void require_whole(const TimeSeries& series, const CaseDefinition& definition) {
 // the directory of the result by a link, but none below it.
 std::vector<std::filesystem::path> places_of(const RunRequest& request) {
   const RunSettings& settings = request.settings;
+  if (settings.work_directory.empty()) return {};
+  const std::filesystem::path named = std::filesystem::absolute(settings.work_directory),
+                              work = std::filesystem::weakly_canonical(named.parent_path()) /
+                                     named.filename();
   const AnsweredWith kind = solver_kind(request.run).answered_with;
   std::vector<const char*> endings;
   if (kind == AnsweredWith::openfoam) endings = {".openfoam"};
@@ -59,12 +63,7 @@ std::vector<std::filesystem::path> places_of(const RunRequest& request) {
   if (settings.snapshot_interval != 0 || settings.state_interval != 0)
     endings = {".snapshots.h5", ".snapshots.xmf", ".state.h5", ".last_good.h5"};
   std::vector<std::filesystem::path> places;
-  if (settings.work_directory.empty()) return places;
-  for (const char* ending : endings) {
-    const std::filesystem::path work = std::filesystem::absolute(settings.work_directory);
-    places.push_back(std::filesystem::weakly_canonical(work.parent_path()) / work.filename() /
-                     (request.run.name + ending));
-  }
+  for (const char* ending : endings) places.push_back(work / (request.run.name + ending));
   return places;
 }
 
