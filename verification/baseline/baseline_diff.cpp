@@ -82,14 +82,6 @@ bool is_loosened(const BaselineValue& before, const BaselineValue& after) {
          is_below(before.upper.value_or(unbounded), after.upper.value_or(unbounded));
 }
 
-// The same on every machine.
-fs::path from_directory_of(const fs::path& case_file, const fs::path& file) {
-  const fs::path here = fs::current_path();
-  return (here / file)
-      .lexically_normal()
-      .lexically_relative((here / case_file).lexically_normal().parent_path());
-}
-
 // What the settings of a run do not say of it (hashed_settings()).
 std::string evidence_of(const RunDefinition& run, const fs::path& case_file) {
   return std::visit(
@@ -102,9 +94,12 @@ std::string evidence_of(const RunDefinition& run, const fs::path& case_file) {
                       : "");
         else if constexpr (std::is_same_v<Run, ExternalRun>) {
           std::string inputs;
-          for (const fs::path& one : solver.inputs)
-            inputs += " " + from_directory_of(case_file, one).generic_string();
-          return inputs.empty() ? "" : fmt::format("; inputs of {}:{}", run.name, inputs);
+          for (const fs::path& one : solver.inputs) inputs += " " + from_case_file(case_file, one);
+          if (!inputs.empty()) inputs = fmt::format("; inputs of {}:{}", run.name, inputs);
+          return solver.directory.empty()
+                     ? inputs
+                     : fmt::format("{}; {} starts in {}", inputs, run.name,
+                                   from_case_file(case_file, solver.directory));
         } else if constexpr (requires { solver.valid_elevation_over_depth; })
           return fmt::format("; {} up to {:.6g} depths", run.name,
                              solver.valid_elevation_over_depth);

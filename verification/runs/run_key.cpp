@@ -130,6 +130,14 @@ void add_answer(ContentHash& answer, const std::string& solver, const fs::path& 
 
 }  // namespace
 
+std::string from_case_file(const fs::path& case_file, const fs::path& file) {
+  const fs::path here = fs::current_path();
+  return (here / file)
+      .lexically_normal()
+      .lexically_relative((here / case_file).lexically_normal().parent_path())
+      .generic_string();
+}
+
 void protect_inputs(const CaseDefinition& definition, const RunDefinition& run) {
   std::vector<fs::path> files;
   if (const auto* external = std::get_if<ExternalRun>(&run.solver)) {
@@ -155,6 +163,8 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
   if (solver_kind(run).solves_flow) asked["snapshot_times"] = field_times(definition);
   const auto* external = std::get_if<ExternalRun>(&run.solver);
   if (external || is_stored(run)) asked["inputs"] = json::array();
+  if (external && !external->directory.empty())
+    asked["directory"] = from_case_file(definition.file, external->directory);
   if (external)
     for (const auto& [name, file] : external_inputs(*external, definition))
       asked["inputs"].push_back(content(name, file));

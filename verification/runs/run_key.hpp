@@ -16,6 +16,7 @@ namespace slosh {
 //   - the physical part of the case: not its names, comparison and gate; the times of fields only
 //     for a solver that leaves fields, the gas only for one that reads it
 //   - the solver and its settings: not the run's name, nor the range in which a reference may gate
+//   - the directory that an external run starts in, relative to the case file
 //   - the content of a record and of an external run's inputs, which include those of its arguments
 //     that are files (external_command.hpp)
 // The origin is
@@ -31,6 +32,10 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
 // ensembles of these names, as they enter the questions of their keys, but not of the content of a
 // program's files.
 std::string setup_hash(const CaseDefinition& definition, const std::set<std::string>& names);
+
+// The path of a file relative to the directory of the case file: the same text on every machine.
+std::string from_case_file(const std::filesystem::path& case_file,
+                           const std::filesystem::path& file);
 
 // Makes the files that an external or a stored run reads inputs of this process
 // (protected_inputs.hpp). run_key() does so too.

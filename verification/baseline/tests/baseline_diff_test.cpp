@@ -273,7 +273,8 @@ TEST(BaselineDiff, TellsOtherEvidenceOfARow) {
   theory.name = "linear";
   theory.solver = LinearRun{10, false, 0.1};
   mine.name = "sph";
-  mine.solver = ExternalRun{.command = {"./solve"}, .inputs = {"mine.py"}};
+  mine.solver =
+      ExternalRun{.command = {"./solve"}, .directory = "v1/tables", .inputs = {"mine.py"}};
   definition.runs = {theory, mine};
   Baseline before = baseline;
   before.begin()->second.terms = moved_in(baseline, now).at(0).after->terms;
@@ -285,7 +286,10 @@ TEST(BaselineDiff, TellsOtherEvidenceOfARow) {
       [](CaseDefinition& one) {
         std::get<LinearRun>(one.runs[0].solver).valid_elevation_over_depth = 0.2;
       },
-      [](CaseDefinition& one) { std::get<ExternalRun>(one.runs[1].solver).inputs.clear(); }};
+      [](CaseDefinition& one) { std::get<ExternalRun>(one.runs[1].solver).inputs.clear(); },
+      [](CaseDefinition& one) {
+        std::get<ExternalRun>(one.runs[1].solver).directory = "v2/tables";
+      }};
   for (const auto& swap : swaps) {
     std::vector<CaseAssessment> other = now;
     swap(other[0].definition);

@@ -378,6 +378,22 @@ TEST_F(RunKey, OfAnExternalRunChangesWithWhatLiesBelowADirectoryOfItsInputs) {
   EXPECT_FALSE(changed_by([&] { write(".hidden", "first"); }));
 }
 
+TEST_F(RunKey, OfAnExternalRunChangesWithTheDirectoryThatItStartsInAndNotWithThatOfItsCase) {
+  CaseDefinition definition = sample_case();
+  definition.file = "/here/small.toml";
+  ExternalRun external;
+  external.command = {"sh"};
+  const auto key_of = [&](const char* directory) {
+    external.directory = directory;
+    return key(definition, sample_run(external));
+  };
+  const std::string first = key_of("/here/v1/tables");
+  EXPECT_NE(key_of("/here/v2/tables"), first) << "of the same last name";
+  EXPECT_NE(key_of(""), first);
+  definition.file = "/there/small.toml";
+  EXPECT_EQ(key_of("/there/v1/tables"), first);
+}
+
 TEST_F(RunKey, OfAStoredResultChangesWithEachOfItsFiles) {
   const std::filesystem::path facts = directory.path() / "cost.json",
                               series = directory.path() / "swl.csv";

@@ -34,6 +34,19 @@ bool begins_as_script(const fs::path& file) {
   return std::ifstream(file, std::ios::binary).read(head, 2) && head[0] == '#' && head[1] == '!';
 }
 
+// Whether `inputs` names a file below this directory.
+bool has_input(const ExternalRun& external, const fs::path& directory) {
+  const fs::path whole = fs::weakly_canonical(directory);
+  const auto is_below = [&](const InputFile& input) {
+    const fs::path file = fs::weakly_canonical(input.file);
+    return std::mismatch(whole.begin(), whole.end(), file.begin(), file.end()).first == whole.end();
+  };
+  return std::any_of(external.inputs.begin(), external.inputs.end(), [&](const fs::path& input) {
+    const std::vector<InputFile> files = input_files(input);
+    return std::any_of(files.begin(), files.end(), is_below);
+  });
+}
+
 // Whether another run of its method has another spacing and the same command, which does not name
 // it. The placeholders are still in the command.
 bool ignores_spacing(const ExternalRun& external, const CaseDefinition& definition) {
@@ -52,17 +65,20 @@ bool ignores_spacing(const ExternalRun& external, const CaseDefinition& definiti
 }  // namespace
 
 std::string unlisted_script(const ExternalRun& external, const CaseDefinition& definition) {
-  if (!external.inputs.empty() || external.command.front().starts_with("{peers_directory}"))
-    return "";
-  for (const std::string& word : external.command)
-    if (is_interpreter(word)) return word;
-  std::vector<fs::path> files{external_program(external, definition)};
-  for (InputFile& input : external_inputs(external, definition)) files.push_back(input.file);
-  for (const fs::path& file : files)
-    if (begins_as_script(file)) return file.filename().string();
-  if (!external.directory.empty()) return external.directory.filename().string();
-  for (const fs::path& path : argument_paths(external, definition))
-    if (std::error_code none; fs::is_directory(path, none)) return path.lexically_normal().string();
+  if (external.command.front().starts_with("{peers_directory}")) return "";
+  if (external.inputs.empty()) {
+    for (const std::string& word : external.command)
+      if (is_interpreter(word)) return word;
+    std::vector<fs::path> files{external_program(external, definition)};
+    for (InputFile& input : external_inputs(external, definition)) files.push_back(input.file);
+    for (const fs::path& file : files)
+      if (begins_as_script(file)) return file.filename().string();
+  }
+  std::vector<fs::path> directories = argument_paths(external, definition);
+  if (!external.directory.empty()) directories.insert(directories.begin(), external.directory);
+  for (const fs::path& directory : directories)
+    if (std::error_code none; fs::is_directory(directory, none) && !has_input(external, directory))
+      return directory.lexically_normal().string();
   return "";
 }
 

@@ -8,9 +8,10 @@
 
 namespace slosh {
 
-// Returns what runs the program's text where modules that it loads are no part of the run's key: an
-// interpreter ("python3"), or a file that begins with #!. Empty where the run declares `inputs`,
-// and for the drivers that Slosh ships.
+// Returns what a run may read though it is no part of the run's key. Without `inputs` that is an
+// interpreter ("python3") or a file that begins with #!, which load modules. It is also a directory
+// that the program starts in or is given, where no input lies in it. Empty where there is none, and
+// for the drivers that Slosh ships.
 std::string unlisted_script(const ExternalRun& external, const CaseDefinition& definition);
 
 // "run mine: what python3 loads is no part of its key, ...", and that the runs of one method have

@@ -54,8 +54,16 @@ TEST_F(UnlistedScript, IsNoneOfAProgramOfADeclaredInputOrOfOurDriver) {
 
 TEST_F(UnlistedScript, IsAlsoADirectoryThatAProgramStartsInOrIsGiven) {
   std::filesystem::create_directory(directory_.path() / "tables");
-  EXPECT_EQ(script({"./solve"}, {}, directory_.path() / "tables"), "tables");
-  EXPECT_EQ(script({"./solve"}, {directory_.path() / "solve"}, directory_.path() / "tables"), "");
+  const std::filesystem::path tables = directory_.path() / "tables";
+  EXPECT_EQ(script({"./solve"}, {}, tables), tables);
+  EXPECT_EQ(script({"./solve"}, {directory_.path() / "solve"}, tables), tables)
+      << "an input elsewhere says nothing of this directory";
+  EXPECT_EQ(script({"./solve", "tables"}, {directory_.path() / "solve"}), tables);
+  write("tables/rates", "1");
+  for (const std::filesystem::path& input :
+       {tables, tables / "rates", directory_.path() / "tab*/*"})
+    EXPECT_EQ(script({"./solve", "--in=tables"}, {input}, tables / "."), "") << input;
+  EXPECT_EQ(script({"./solve"}, {directory_.path() / "solve"}, directory_.path()), "");
   for (const char* word : {"tables", "--tables=tables", "{case_directory}/tables", "-T=@tables"})
     EXPECT_NE(script({"./solve", word}).find("tables"), std::string::npos) << word;
   EXPECT_EQ(script({"./solve", "absent", "", "--tables=", "@"}), "");
