@@ -16,6 +16,8 @@ constexpr double least_hidden = 0.015;                            // of the rang
 constexpr double bands[] = {1e-3, 3e-3, 0.01, 0.02, 0.04, 0.08};  // of the range
 constexpr double most_of_round = 0.2;  // of what a round crest falls by inside
 constexpr double standard_errors = 2.5;
+constexpr double same_line = 1e-5;  // of the range, by rounding
+constexpr std::size_t fewest_readings = 6;
 constexpr std::size_t most_sampled = 20000, fewest_in_flat = 3, fewest_fitted = 6;
 
 // The values that are read more than once, in order; empty where too few samples have them.
@@ -137,6 +139,54 @@ std::optional<FlatExtreme> flat_extreme(const TimeSeries& series, double extreme
   return std::nullopt;
 }
 
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// The samples from which on the values move by another slope, and by how much it differs.
+struct Knots {
+  std::vector<double> interval, turn;
+};
+
+// Of straight lines, or of the values themselves where these are held.
+Knots knots_of(const TimeSeries& series, double range, bool held) {
+  const std::vector<double>&time = series.time, &value = series.value;
+  Knots knots;
+  double last = 0;
+  bool is_first = true;
+  for (std::size_t i = 1; i + 1 < value.size(); ++i) {
+    const double before = held ? 0 : (value[i] - value[i - 1]) / (time[i] - time[i - 1]);
+    const double step = time[i + 1] - time[i];
+    const double left = value[i + 1] - value[i] - before * step;  // by which it leaves the line
+    if (std::abs(left) <= same_line * range) continue;
+    if (!is_first) {
+      knots.interval.push_back(time[i] - last);
+      knots.turn.push_back(std::abs(left) / (held ? 1 : step));
+    }
+    last = time[i];
+    is_first = false;
+  }
+  return knots;
+}
+
+std::optional<SparseReadings> sparse_readings(const TimeSeries& series, double range) {
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < series.time.size(); ++i)
+    intervals.push_back(series.time[i] - series.time[i - 1]);
+  for (const bool held : {true, false}) {
+    const Knots knots = knots_of(series, range, held);
+    if (knots.interval.size() < fewest_readings) continue;
+    const double interval = median(knots.interval);
+    const double turn = median(knots.turn);
+    const double hidden = held ? turn / 2 : turn * interval / 8;
+    if (interval >= 1.5 * median(intervals) && hidden >= least_hidden * range)
+      return SparseReadings{held, interval, hidden};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 SensorLimits sensor_limits(const TimeSeries& cut) {
@@ -146,7 +196,8 @@ SensorLimits sensor_limits(const TimeSeries& cut) {
   if (!(range > 0)) return {};
   const std::optional<double> step = step_of(cut.value);
   return {range, step, flat_extreme(cut, *high, range, step.value_or(0)),
-          flat_extreme(cut, *low, range, step.value_or(0))};
+          flat_extreme(cut, *low, range, step.value_or(0)),
+          step ? std::nullopt : sparse_readings(cut, range)};
 }
 
 }  // namespace slosh

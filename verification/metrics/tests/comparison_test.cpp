@@ -360,6 +360,25 @@ double lag_by_sums(const TimeSeries& c, const TimeSeries& r, int most) {
   return 0.01 * at;
 }
 
+// A pressure that is cut off at 0 falls dry only where the other's comes near to 0 too.
+TEST(Comparison, DoubtsAPressureThatReadsZeroWhereTheOtherStaysFarFromIt) {
+  const auto doubts_of = [](double mean) {
+    const auto series = [&](double amplitude, double middle) {
+      TimeSeries one = sampled(
+          [&](double t) { return std::max(0.0, middle + amplitude * std::sin(3 * t)); }, 0, 20);
+      one.name = "wall_pressure@P";
+      one.unit = "Pa";
+      return one;
+    };
+    const std::vector<ToneRequest> modes{{"forced", 3.0, false}};
+    return compare({"candidate", series(144, 50), {0, 20}, modes},
+                   {"reference", series(100, mean), {0, 20}, modes})
+        .doubts;
+  };
+  EXPECT_EQ(doubts_of(1962).size(), 1U);
+  EXPECT_TRUE(doubts_of(50).empty());
+}
+
 TEST(CrossCorrelation, IsThatOfTheSumsUnderNoise) {
   const auto r = with_noise(sampled([](double t) { return std::sin(5 * t); }, 0, 20), 0.4, 0.7, 1);
   const auto c =

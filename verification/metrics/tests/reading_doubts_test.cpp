@@ -25,5 +25,17 @@ TEST(ReadingDoubts, AreOfAFlatBesideSteps) {
   EXPECT_EQ(flat_doubts(readings("m", {100, 1.0, FlatExtreme{90, 1, 1.2, 30}, {}})).size(), 1U);
 }
 
+TEST(ReadingDoubts, AreOfReadingsThatAreHeldOrJoinedByLines) {
+  for (const bool held : {true, false}) {
+    SensorLimits limits{100, {}, {}, {}};
+    limits.sparse = SparseReadings{held, 0.1, 4};
+    const std::vector<std::string> doubts = flat_doubts(readings("m", limits));
+    ASSERT_EQ(doubts.size(), 1U);
+    EXPECT_NE(doubts[0].find(held ? "holds each reading for 0.1 s" : "readings 0.1 s apart"),
+              std::string::npos)
+        << doubts[0];
+  }
+}
+
 }  // namespace
 }  // namespace slosh::reading_doubts_test
