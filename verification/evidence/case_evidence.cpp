@@ -53,6 +53,14 @@ const TimeSeries& series_of(const CaseRuns& runs, const std::string& run,
   return result_of(runs, run).at(quantity);
 }
 
+// The series of a filtered pressure before its filter, which smooths what the sensor cuts off; else
+// the quantity itself.
+std::string as_read(const CaseRuns& runs, const std::string& run, const std::string& quantity) {
+  if (!is_filtered(quantity)) return quantity;
+  const std::string raw = quantity.substr(0, quantity.size() - std::strlen(through_filter));
+  return has_series(runs, run, raw) ? raw : quantity;
+}
+
 TimeSeries moved_series(const CaseRuns& runs, const std::string& run, const std::string& quantity,
                         const Moved& moved) {
   TimeSeries series = series_of(runs, run, quantity);
@@ -127,11 +135,8 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
       made->add_band({series_of(runs_, run, quantity + lower_edge),
                       series_of(runs_, run, quantity + upper_edge)});
     made->readings.rests = resting_values(definition_, quantity);
-    // The filter smooths what the sensor cuts off.
-    if (is_filtered(quantity))
-      if (const std::string raw = quantity.substr(0, quantity.size() - std::strlen(through_filter));
-          has_series(runs_, run, raw))
-        made->readings.limits = sensor_limits(cut_to_window(series_of(runs_, run, raw), window));
+    if (const std::string raw = as_read(runs_, run, quantity); raw != quantity)
+      made->readings.limits = sensor_limits(cut_to_window(series_of(runs_, run, raw), window));
     here = std::move(made);
   }
   return *here;
@@ -313,7 +318,10 @@ GateEvidence CaseEvidence::gate_evidence() {
           fields,
           repeats,
           kept,
-          definition_.sample_interval};
+          definition_.sample_interval,
+          [this](const std::string& run, const std::string& quantity) {
+            return series_of(runs_, run, as_read(runs_, run, quantity));
+          }};
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {

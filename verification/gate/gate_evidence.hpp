@@ -79,6 +79,7 @@ struct GateEvidence {
   MeasureRepeats repeats = {};
   FindKept kept = {};
   double sample_interval = 0;  // [s], of the case's series
+  FindHistory readings = {};   // as `history`; of a filtered pressure those before its filter
 };
 
 }  // namespace slosh

@@ -304,8 +304,15 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
       doubts.push_back(fmt::format("the candidate has no sample between {:.4g} and {:.4g} s",
                                    gap->begin, gap->end));
     if (!is_compared) continue;
-    SensorReadings readings{"candidate", series.unit, sensor_limits(series)};
-    readings.limits.lowest.reset();
+    const bool is_smoothed = evidence.readings && is_filtered(row.quantity);
+    SensorReadings readings{
+        "candidate", series.unit,
+        sensor_limits(is_smoothed ? evidence.readings(run, row.quantity) : series)};
+    // A series that rests at its lowest value, as at zero, is not cut off there.
+    if (std::optional<FlatExtreme>& lowest = readings.limits.lowest;
+        lowest && (row.metric != Metric::largest_magnitude ||
+                   std::abs(lowest->value) + lowest->hidden <= largest_magnitude(series)))
+      lowest.reset();
     std::ranges::move(flat_doubts(readings), std::back_inserter(doubts));
     if (readings.limits.step && are_coarse_for(row, readings, 0))
       doubts.push_back(step_doubt(readings));

@@ -62,6 +62,21 @@ TEST_F(ExternalRun, IsComputedAgainWhereAModuleOfItsScriptChanges) {
   EXPECT_TRUE(holds(tool({"check", "./small.toml"}).out, doubt));
 }
 
+// A save in an editor during a long run.
+TEST_F(ExternalRun, IsNotKeptWhereAnInputChangesWhileItRuns) {
+  write("k.txt", "1.01");
+  write("run.sh", "k=$(cat \"$3\")\necho 1.5 > \"$3\"\nexec \"" STAND_IN_SOLVER
+                  "\" \"$1\" \"$2\" scaled $k\n");
+  write_campaign(with(own_case("\"{case_directory}/k.txt\"", "inputs = [\"run.sh\"]\n"),
+                      "\"" STAND_IN_SOLVER "\"", "\"sh\", \"{case_directory}/run.sh\""));
+  const Ended ended = campaign();
+  EXPECT_EQ(ended.status, 3) << ended.out;
+  EXPECT_NE(ended.err.find("changed while it ran"), std::string::npos) << ended.err;
+  write("k.txt", "1.01");
+  EXPECT_EQ(campaign().status, 3) << "nothing was kept under the earlier input";
+  EXPECT_EQ(campaign().status, 1) << "1.5 does not change any more";
+}
+
 // Three spacings of a program whose error falls with their square.
 std::string runs_of_method() {
   std::string text;

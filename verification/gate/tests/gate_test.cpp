@@ -825,6 +825,51 @@ TEST_F(GateOnOwnSeries, DoesNotPassWithAHoleAtEveryCrest) {
   EXPECT_NE(outcome.message.find("the candidate has no sample between"), std::string::npos);
 }
 
+// The crest is as high as the trough is left.
+TEST_F(GateOnOwnSeries, DoesNotPassWithATroughThatIsCutOff) {
+  row.quantity = "elevation@right";
+  row.unit = "m";
+  const auto wave = [&](double cut) {
+    TimeSeries series{row.quantity, row.unit, {}, {}};
+    for (int i = 0; i <= 1000; ++i) {
+      const double s = std::sin(0.03 * i + 0.2);
+      series.time.push_back(0.01 * i);
+      series.value.push_back(std::max(s < 0 ? 1.3 * s : 0.45 * s, cut));
+    }
+    return series;
+  };
+  const GateOutcome outcome = judge_series(wave(-0.46));
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << outcome.message;
+  EXPECT_NE(outcome.message.find("stays at its lowest value"), std::string::npos);
+  row.limit = 1.4;
+  EXPECT_EQ(judge_series(wave(-2)).verdict, Verdict::pass);
+}
+
+// What is smoothed, and what the sensor has read.
+TEST_F(GateOnOwnSeries, DoesNotPassFilteredPressuresWhoseReadingsAreCutOff) {
+  row.quantity = "wall_pressure@P/filtered";
+  row.unit = "Pa";
+  row.limit = 1000;
+  const auto pressure = [&](double cut) {
+    TimeSeries series{row.quantity, row.unit, {}, {}};
+    for (int i = 0; i <= 1000; ++i) {
+      series.time.push_back(0.01 * i);
+      series.value.push_back(std::min(cut, 700 + 300 * std::sin(0.03 * i + 0.2)));
+    }
+    return series;
+  };
+  const TimeSeries smoothed = pressure(2000);
+  for (const double cut : {850.0, 2000.0}) {
+    GateEvidence evidence;
+    evidence.series = [&](const auto&, const auto&) { return smoothed; };
+    evidence.readings = [&](const auto&, const auto&) { return pressure(cut); };
+    evidence.sample_interval = 0.01;
+    const GateOutcome outcome = evaluate(row, {{"sph", {RunState::finished, ""}}}, evidence);
+    EXPECT_EQ(outcome.verdict, cut < 1000 ? Verdict::inconclusive : Verdict::pass)
+        << outcome.message;
+  }
+}
+
 TEST_F(GateOnOwnSeries, FailsWithItsSolver) {
   const GateOutcome outcome =
       evaluate(row, {{"sph", {RunState::failed, "a particle left the tank"}}}, {});
