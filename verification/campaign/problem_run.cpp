@@ -33,8 +33,8 @@ Job job_for(const ProblemDefinition& problem, const CampaignSettings& settings) 
                  settings.store.root().string()};
   if (settings.selection.quick) job.command.push_back("--quick");
   job.expected_time = find_problem(problem.name).expected_time;
-  job.time_limit = time_limit(
-      {.processor_time = job.expected_time, .wall_time = job.expected_time, .memory = 0});
+  job.time_limit =
+      time_limit({.processor_time = job.expected_time, .wall_time = job.expected_time});
   return job;
 }
 

@@ -206,7 +206,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
   if (!options.store.empty()) {
     keep_run(store, key, [&] {
       RunResult result = compute();
-      learn_cost(result, definition, run, store);
+      record_cost(result, definition, run, store);
       return result;
     });
     return exit_pass;
