@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/process/search_path.hpp>
 #include <chrono>
 #include <set>
 #include <thread>
@@ -51,7 +50,7 @@ std::string ninja_file(const std::vector<Job>& jobs, int at_once) {
 
 std::vector<JobState> run_by_ninja(const JobList& list, const LaunchSettings& settings,
                                    const std::atomic<bool>& stop, const ObserveJobs& observe) {
-  const auto program = boost::process::search_path("ninja");
+  const std::filesystem::path program = program_on_path("ninja");
   if (program.empty()) throw EngineError("ninja is not installed: it runs the jobs of a campaign");
   replace_file(list.directory() / "build.ninja", ninja_file(list.jobs(), settings.at_once),
                Durability::process_crash);

@@ -3,53 +3,26 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <boost/asio/io_context.hpp>
-#include <boost/process.hpp>
 #include <chrono>
-#include <future>
 #include <sstream>
-#include <thread>
 
 #include "verification/engine/launch_settings.hpp"
+#include "verification/files/child_process.hpp"
 
 namespace slosh {
-namespace {
-
-namespace bp = boost::process;
-
-constexpr std::chrono::seconds time_limit{60};
-
-// Polls the child, for the library's own wait with a time limit is deprecated.
-bool ends_within(bp::child& child, std::chrono::seconds limit) {
-  const auto end = std::chrono::steady_clock::now() + limit;
-  std::error_code ignored;
-  while (child.running(ignored)) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return true;
-}
-
-}  // namespace
 
 SlurmAnswer ask_slurm(const std::string& program, const std::vector<std::string>& arguments,
                       const std::map<std::string, std::string>& more) {
-  const auto path = bp::search_path(program);
+  constexpr std::chrono::seconds time_limit{60};
+  const std::filesystem::path path = program_on_path(program);
   if (path.empty())
     throw EngineError(program + " is not installed: --launcher slurm needs Slurm's commands");
-  bp::environment environment = boost::this_process::environment();
-  for (const auto& [name, value] : more) environment[name] = value;
-  boost::asio::io_context service;
-  std::future<std::string> out, err;
-  bp::child child(bp::exe = path, bp::args = arguments, environment,
-                  bp::std_in<bp::null, bp::std_out> out, bp::std_err > err, service);
-  service.run_for(time_limit);  // until its output ends
-  if (!ends_within(child, time_limit)) {
-    std::error_code ignored;
-    child.terminate(ignored);
+  std::vector<std::string> command{path.string()};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  ChildProcess child(command, {.splits_errors = true, .environment = more});
+  if (!child.ends_within(time_limit))
     throw EngineError(fmt::format("{} has not ended within {} s", program, time_limit.count()));
-  }
-  return {child.exit_code(), out.get(), err.get()};
+  return {child.exit_status(), child.output(), child.errors()};
 }
 
 std::optional<std::set<std::string>> queued_tasks(const std::vector<std::string>& arrays) try {
