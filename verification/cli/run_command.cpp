@@ -18,7 +18,7 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/installation.hpp"
 #include "verification/cli/stored_run.hpp"
-#include "verification/display/run_display.hpp"
+#include "verification/display/progress_display.hpp"
 #include "verification/engine/run_job.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include "verification/campaign/campaign_plan.hpp"
-#include "verification/campaign/problem_run.hpp"
 #include "verification/files/shell_word.hpp"
 
 namespace slosh {
