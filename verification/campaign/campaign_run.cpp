@@ -12,7 +12,6 @@
 
 #include "verification/campaign/campaign_plan.hpp"
 #include "verification/campaign/job_failure.hpp"
-#include "verification/campaign/problem_run.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/display/progress_display.hpp"
 #include "verification/engine/launcher.hpp"

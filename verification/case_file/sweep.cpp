@@ -6,7 +6,7 @@
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/groups/run_group.hpp"
-#include "verification/input/name_pattern.hpp"
+#include "verification/input/nearest_name.hpp"
 #include "verification/input/toml_reader.hpp"
 
 namespace slosh {

@@ -18,7 +18,7 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/installation.hpp"
 #include "verification/cli/stored_run.hpp"
-#include "verification/display/run_display.hpp"
+#include "verification/display/progress_display.hpp"
 #include "verification/engine/run_job.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
@@ -219,7 +219,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
   if (!options.store.empty()) {
     keep_run(store, key, [&] {
       RunResult result = compute();
-      learn_cost(result, definition, run, store);
+      record_cost(result, definition, run, store);
       return result;
     });
     return exit_pass;

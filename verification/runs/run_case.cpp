@@ -11,7 +11,7 @@
 #include "openfoam_cases/errors.hpp"
 #include "sph/simulation.hpp"
 #include "verification/case/changed_input.hpp"
-#include "verification/case/inputs/drawn_inputs.hpp"
+#include "verification/case/ensemble.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/results/provenance.hpp"

@@ -1,16 +1,57 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "verification/case/motion.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/case_file/motion/roll_limits.hpp"
+#include "verification/fits/dominant_sine.hpp"
 #include "verification/input/input_files.hpp"
 
 namespace slosh {
 namespace {
+
+const TableMotion* surge_table(const MotionDefinition& motion) {
+  return motion.surge ? std::get_if<TableMotion>(&*motion.surge) : nullptr;
+}
+
+const TableMotion* roll_table(const MotionDefinition& motion) {
+  return motion.roll ? std::get_if<TableMotion>(&motion.roll->angle) : nullptr;
+}
+
+void find_in_spectrum(const TomlTable& comparison, CaseDefinition& definition) {
+  const TableMotion *surge = surge_table(definition.motion), *roll = roll_table(definition.motion);
+  if (surge && roll)
+    comparison.refuse("forcing",
+                      "forcing_frequency_Hz instead, as two tables have no spectrum in common");
+  const TableMotion& table = surge ? *surge : *roll;
+  try {
+    const DominantSine sine = dominant_sine(
+        {table.file.filename().string(), surge ? "m" : "rad", table.time, table.value},
+        {definition.window_begin, definition.window_end});
+    definition.declared_forcing_frequency = sine.angular_frequency.value;
+    definition.found_forcing = {sine.angular_frequency.half_width, sine.rest};
+  } catch (const ComparisonError& error) {
+    comparison.refuse(
+        "forcing",
+        fmt::format("a motion table that is nearly one sine from {:g} to {:g} s, the window of the "
+                    "comparison; {}. Write forcing_frequency_Hz or forcing_period_s instead to "
+                    "name the frequency that is meant",
+                    definition.window_begin, definition.window_end, error.what()));
+  }
+}
+
+constexpr double full_turn = 2 * std::numbers::pi;
+
+double angular_frequency_at(const TomlTable& table, const FrequencyKeys& keys) {
+  if (table.has(keys.period)) return full_turn / table.get(keys.period, positive("s"));
+  if (table.has(keys.frequency)) return full_turn * table.get(keys.frequency, positive("Hz"));
+  return table.get(keys.angular_frequency, positive("rad/s"));
+}
 
 // [tank lengths]. With an axis further away, a roll becomes a surge and rounding errors become
 // noise.
@@ -128,6 +169,45 @@ RollDefinition read_roll(const TomlTable& roll, const TableScope& scope, double 
 }
 
 }  // namespace
+
+void read_forcing(const TomlTable& comparison, CaseDefinition& definition) {
+  const FrequencyKeys keys = frequency_keys("forcing_");
+  const bool has_table = surge_table(definition.motion) || roll_table(definition.motion);
+  definition.declared_forcing_frequency = find_angular_frequency(comparison, keys);
+  std::vector<std::string> all = keys.all();
+  all.push_back("forcing");
+  for (const std::string& key : all)
+    if (comparison.has(key) && !has_table)
+      comparison.refuse(key, "no such key without a motion table: a sine has its own frequency");
+  if (!comparison.has("forcing")) return;
+  comparison.choice("forcing", "how the frequency of a motion table is known", {"from_spectrum"});
+  for (const std::string& key : keys.all())
+    if (comparison.has(key)) comparison.refuse(key, "no such key beside forcing");
+  find_in_spectrum(comparison, definition);
+}
+
+FrequencyKeys frequency_keys(const std::string& prefix) {
+  return {prefix + "angular_frequency_rad_s", prefix + "frequency_Hz", prefix + "period_s"};
+}
+
+std::vector<std::string> FrequencyKeys::all() const {
+  return {angular_frequency, frequency, period};
+}
+
+std::optional<double> find_angular_frequency(const TomlTable& table, const FrequencyKeys& keys) {
+  std::vector<std::string> given;
+  for (const std::string& key : keys.all())
+    if (table.has(key)) given.push_back(key);
+  if (given.empty()) return std::nullopt;
+  if (given.size() > 1)
+    table.refuse(given.back(), fmt::format("exactly one of {}", fmt::join(keys.all(), " | ")));
+  return angular_frequency_at(table, keys);
+}
+
+double read_angular_frequency(const TomlTable& table, const FrequencyKeys& keys) {
+  const std::optional<double> given = find_angular_frequency(table, keys);
+  return given ? *given : angular_frequency_at(table, keys);
+}
 
 MotionDefinition read_motion(const TomlTable& motion, const CaseDefinition& definition) {
   motion.allow_only(keys_of("motion"));

@@ -11,7 +11,6 @@
 
 #include "verification/case/changed_input.hpp"
 #include "verification/case/ensemble.hpp"
-#include "verification/case/inputs/drawn_inputs.hpp"
 #include "verification/tests/temporary_directory.hpp"
 #include "verification/tests/trial_case.hpp"
 

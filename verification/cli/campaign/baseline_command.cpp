@@ -7,7 +7,7 @@
 
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
-#include "verification/cli/campaign/assessed_campaign.hpp"
+#include "verification/cli/campaign/requested_campaign.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/results/provenance.hpp"

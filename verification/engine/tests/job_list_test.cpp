@@ -4,8 +4,8 @@
 
 #include <fstream>
 
-#include "verification/engine/ninja_engine.hpp"
-#include "verification/engine/slurm_array.hpp"
+#include "verification/engine/launcher.hpp"
+#include "verification/engine/slurm_engine.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::job_list_test {
