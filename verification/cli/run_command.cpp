@@ -178,6 +178,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
                                  installation.cases, known_problems()),
                    experiments, definition);
   const RunDefinition& run = requested_run(definition, options.run);
+  const auto contents = files_read_by(run, definition);  // before the key: a change is seen
   const std::string key =
       run_key(definition, run, installation.builds, installation.openfoam_templates);
   const ResultStore store(whole(options.store));
@@ -193,10 +194,12 @@ int run_one(const RunOptions& options, const Installation& installation) {
     RunDisplay display(std::cerr, style_now_of(STDERR_FILENO), definition.name + "/" + run.name,
                        expected.wall_time);
     const Progress write = progress_writer(options.progress_file, definition.duration);
-    return execute(definition, run, settings, [&](double time, double steps) {
+    RunResult result = execute(definition, run, settings, [&](double time, double steps) {
       display.tell({time, definition.duration, steps});
       write(time, steps);
     });
+    require_unchanged(contents);
+    return result;
   };
   // For a run in the store the campaign judges whether it reaches the end of the comparison window.
   if (options.timing) {

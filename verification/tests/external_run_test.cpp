@@ -293,6 +293,20 @@ TEST_F(ExternalRun, IsKeptUntilItsProgramsInputsOrArgumentsChange) {
   EXPECT_GT(std::filesystem::last_write_time(result("mine")), second);
 }
 
+// Its result would be kept under the key of the content that was there before.
+TEST_F(ExternalRun, FailsWhereAnInputChangesWhileItRuns) {
+  write("numbers.txt", "1\n");
+  write("solve.sh", "echo 2 > \"$1\"\nshift\nexec \"$@\"\n");
+  write_campaign(with(own_case("\"scaled\", \"1.01\""), "[\"" STAND_IN_SOLVER "\"",
+                      "[\"sh\", \"{case_directory}/solve.sh\", \"{case_directory}/numbers.txt\", "
+                      "\"" STAND_IN_SOLVER "\""));
+  const Ended ended = campaign();
+  EXPECT_EQ(ended.status, 3) << ended.out;
+  EXPECT_NE(ended.out.find("numbers.txt changed while the run went on"), std::string::npos)
+      << ended.out;
+  EXPECT_EQ(campaign().status, 0) << "now it writes what is there already";
+}
+
 TEST_F(ExternalRun, IsRepeatedWhereAnArgumentThatIsAFileHasChanged) {
   const std::string script = "exec \"$@\"\n";
   const std::string own = with(own_case("\"scaled\", \"1.01\""), "[\"" STAND_IN_SOLVER "\"",
