@@ -155,16 +155,6 @@ RunResult attempted(const RunDefinition& run, const ResultStore& store, const st
   }
 }
 
-// What changed while the program ran may have been read before or after.
-void require_unchanged_inputs(const RunDefinition& run, const std::string& key,
-                              const std::string& key_now) {
-  if (solver_kind(run).answered_with == AnsweredWith::user_program && key_now != key)
-    throw SolverError(
-        fmt::format("run {}: its program or one of its inputs changed while it ran, so that its "
-                    "result is of neither; expected files that stay as they are",
-                    run.name));
-}
-
 // Refuses outputs onto inputs before anything is computed. A run that goes on from a state in its
 // own directory may save another one there.
 void require_safe_outputs(const RunOptions& options, const fs::path& work_directory) {
@@ -188,6 +178,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
                                  installation.cases, known_problems()),
                    experiments, definition);
   const RunDefinition& run = requested_run(definition, options.run);
+  const auto contents = files_read_by(run, definition);  // before the key: a change is seen
   const std::string key =
       run_key(definition, run, installation.builds, installation.openfoam_templates);
   const ResultStore store(whole(options.store));
@@ -207,8 +198,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
       display.tell({time, definition.duration, steps});
       write(time, steps);
     });
-    require_unchanged_inputs(
-        run, key, run_key(definition, run, installation.builds, installation.openfoam_templates));
+    require_unchanged(contents);
     return result;
   };
   // For a run in the store the campaign judges whether it reaches the end of the comparison window.

@@ -306,7 +306,7 @@ GateEvidence CaseEvidence::gate_evidence() {
               run.empty() ? "" : script_doubt(run_named(definition_, run), definition_);
           !doubt.empty())
         text += "; doubtful: " + doubt;
-    return text;
+    return is_cost(row.metric) ? text + left_out_as_compiling(definition_, runs_, row) : text;
   };
   return {find,
           find_series,

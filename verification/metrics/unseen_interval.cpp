@@ -131,8 +131,9 @@ std::optional<UnseenInterval> unseen_interval(const TimeSeries& candidate,
 }
 
 std::optional<TimeWindow> longest_gap(const TimeSeries& series, double recorded_interval) {
-  double longest =
-      std::min(least_gap * median_interval(series.time), least_recorded_gap * recorded_interval);
+  constexpr double rounding = 1 + 1e-6;
+  double longest = rounding * std::min(least_gap * median_interval(series.time),
+                                       least_recorded_gap * recorded_interval);
   std::optional<TimeWindow> gap;
   for (std::size_t i = 1; i < series.time.size(); ++i) {
     if (series.time[i] - series.time[i - 1] <= longest) continue;

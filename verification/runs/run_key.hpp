@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -23,6 +24,7 @@ namespace slosh {
 //   - the content of the solver's file in `builds`: its sources without comments and layout, the
 //     compiler and its options (solver_builds.cmake)
 //   - for interFoam, its version and the templates' content; for an external run, its program's
+//     and that of the libraries of the user's own that it loads (shared_libraries.hpp)
 // Throws std::filesystem::filesystem_error where one of these files cannot be read.
 std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
                     const std::filesystem::path& builds,
@@ -40,6 +42,15 @@ std::string from_case_file(const std::filesystem::path& case_file,
 // Makes the files that an external or a stored run reads inputs of this process
 // (protected_inputs.hpp). run_key() does so too.
 void protect_inputs(const CaseDefinition& definition, const RunDefinition& run);
+
+// Returns the files whose content counts as part of an external or a stored run's key, with the
+// hashes of their contents.
+std::map<std::filesystem::path, std::string> files_read_by(const RunDefinition& run,
+                                                           const CaseDefinition& definition);
+
+// Throws SolverError where one of these files has another content now: the run's result would be
+// kept under the key of another one.
+void require_unchanged(const std::map<std::filesystem::path, std::string>& contents);
 
 // The second halves of the keys of all results that these builds and the installed OpenFOAM give.
 struct PresentAnswers {

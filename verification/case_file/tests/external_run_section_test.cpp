@@ -103,6 +103,71 @@ TEST(ExternalRunSection, MayNotShareItsMethodWithAnotherOne) {
       << complaint_about("my_sph", again);
 }
 
+// The coarse and the fine run of one method.
+std::string complaint_about_pair(const std::string& coarse, const std::string& fine,
+                                 const std::string& of_fine = "") {
+  const Workspace workspace;
+  for (const char* directory : {"c", "f"})
+    std::filesystem::create_directory(workspace.path() / directory);
+  for (const char* program : {"solve", "other", "c/run", "f/run"})
+    workspace.write(program, "#!/bin/sh\n");
+  for (const char* settings : {"c.cfg", "f.cfg", "swl.csv", "cost.json"})
+    workspace.write(settings, "1");
+  const std::string method = "method = \"my_sph\"\nparticle_spacing_m = ",
+                    taken =
+                        "[[run.series]]\nquantity = \"elevation@right\"\n"
+                        "file = \"swl.csv\"\nformat = \"csv\"\ncolumn = \"eta\"\n";
+  return complaint(workspace.write(
+      "trial.toml", text_with(coarse + method + "0.04\n" + taken +
+                              "[[run]]\nname = \"fine\"\nsolver = \"external\"\n" + fine + method +
+                              "0.02\n" + (of_fine.starts_with("[") ? of_fine : taken + of_fine))));
+}
+
+TEST(ExternalRunSection, OfAMethodDiffersInItsSpacingAlone) {
+  const std::string solve = "command = [\"./solve\", \"{particle_spacing_m}\"]\n";
+  const auto started = [](const std::string& words) { return "command = [" + words + "]\n"; };
+  const std::vector<std::pair<std::string, std::string>> programs{
+      {solve, started("\"./other\", \"{particle_spacing_m}\"")},
+      {started("\"python3\", \"prog.py\""), started("\"python3\", \"other.py\"")},
+      {started("\"mpirun\", \"-n\", \"2\", \"{case_directory}/solve\""),
+       started("\"mpirun\", \"-n\", \"4\", \"./other\"")}};
+  for (const auto& [coarse, fine] : programs)
+    EXPECT_NE(complaint_about_pair(coarse, fine)
+                  .find("run.method = \"my_sph\": expected a run that differs from mine in the "
+                        "spacing alone, and starts the same programs, "),
+              std::string::npos)
+        << fine << complaint_about_pair(coarse, fine);
+  EXPECT_NE(complaint_about_pair(started("\"./solve\""), started("\"./solve\""))
+                .find("and has another command or directory, as by {particle_spacing_m}"),
+            std::string::npos);
+  for (const char* key : {"scale = 1.1", "offset = 0.01", "datum = \"first\"", "unit = \"mm\"",
+                          "time_offset_s = 0.1", "time_column = \"t\""})
+    EXPECT_NE(complaint_about_pair(solve, solve, std::string(key) + "\n")
+                  .find("and takes elevation@right with the same format, column, unit, scale"),
+              std::string::npos)
+        << key;
+}
+
+TEST(ExternalRunSection, OfAMethodMayHaveSettingsAndDirectoriesOfItsOwn) {
+  const std::vector<std::pair<std::string, std::string>> pairs{
+      {"command = [\"./solve\", \"{particle_spacing_m}\"]\n",
+       "command = [\"./solve\", \"{particle_spacing_m}\"]\n"},
+      {"command = [\"./solve\", \"c.cfg\"]\n", "command = [\"./solve\", \"f.cfg\"]\n"},
+      {"command = [\"./c/run\"]\n", "command = [\"./f/run\"]\n"},
+      {"command = [\"./solve\"]\ndirectory = \"c\"\n",
+       "command = [\"./solve\"]\ndirectory = \"f\"\n"},
+      {"command = [\"mpirun\", \"-n\", \"2\", \"./solve\", \"c.cfg\"]\n",
+       "command = [\"mpirun\", \"-n\", \"8\", \"./solve\", \"f.cfg\"]\n"}};
+  for (const auto& [coarse, fine] : pairs) {
+    EXPECT_EQ(complaint_about_pair(coarse, fine), "") << fine;
+    EXPECT_EQ(complaint_about_pair(coarse, fine,
+                                   "[[run.series]]\nquantity = \"elevation@right\"\nfile = "
+                                   "\"fine.csv\"\nformat = \"csv\"\ncolumn = \"eta\"\n"),
+              "")
+        << fine;
+  }
+}
+
 TEST(ExternalRunSection, IsRefusedByTheLineWhereItGoesWrong) {
   const std::vector<std::pair<std::string, std::string>> keys{
       {series, "trial.toml:52: run.command is missing: expected an array of texts"},

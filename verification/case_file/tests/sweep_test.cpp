@@ -150,7 +150,13 @@ TEST_F(Sweep, RefusesNamesThatDoNotTellRunsApartAndCasesThatAreNone) {
   EXPECT_NE(refusal(with(sweep, "{scheme}_", "")).find("names each run apart"), std::string::npos);
   EXPECT_NE(refusal(with(sweep, "{scheme}", "{schema}")).find("there is no schema"),
             std::string::npos);
-  EXPECT_NE(refusal(with(sweep, "sm*", "big*")).find("match none"), std::string::npos);
+  for (const char* names : {"\"big*\"", "\"sm*\", \"smal\"", ""}) {
+    const std::string refused = refusal(with(sweep, "\"sm*\"", names));
+    EXPECT_NE(refused.find("expected a case of the campaign or a pattern of them"),
+              std::string::npos)
+        << names << ": " << refused;
+  }
+  EXPECT_EQ(refusal(with(sweep, "\"sm*\"", "\"sm*\", \"small\"")), "");
 }
 
 TEST_F(Sweep, IsReadWithTheCampaignsTiming) {

@@ -102,6 +102,28 @@ TEST(RowUncertainty, OfARefinementThatRefinesNothingIsUnknownAndDoesNotPass) {
   EXPECT_NE(outcome.message.find("the refinement mesh tells nothing"), std::string::npos);
 }
 
+// A program that ignores its spacing and never answers twice alike.
+TEST(RowUncertainty, OfASpacingThatGivesNoMoreParticlesIsUnknown) {
+  for (const auto& [coarse, fine] : {std::pair{500.0, 500.0}, {500, 400}, {500, 1990}, {0, 0}}) {
+    OfMeshes runs(0.00501, 0.005);
+    runs.definition.refinements[0].number = RefinedNumber::particle_spacing;
+    for (const auto& [name, spacing, particles] :
+         {std::tuple{"coarse_mesh", 0.04, coarse}, {"fine_mesh", 0.02, fine}}) {
+      for (RunDefinition& run : runs.definition.runs)
+        if (run.name == name)
+          run.solver = ExternalRun{.command = {"./p"}, .method = "m", .particle_spacing = spacing};
+      runs.runs.results.at(name).cost.elements = particles;
+    }
+    const GateOutcome outcome = runs.judged();
+    EXPECT_EQ(outcome.message.find("fine_mesh has no more particles than coarse_mesh: the "
+                                   "refinement changed nothing") != std::string::npos,
+              coarse == 500 && fine <= 500)
+        << fine << outcome.message;
+    EXPECT_EQ(outcome.verdict, coarse == 500 && fine <= 500 ? Verdict::inconclusive : Verdict::pass)
+        << fine << outcome.message;
+  }
+}
+
 // The same program, with noise in the last digits, with fewer samples, and with times that are
 // printed in another way.
 TEST(RowUncertainty, OfACopyThatWasTouchedIsUnknownToo) {
