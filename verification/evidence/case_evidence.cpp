@@ -11,7 +11,6 @@
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/evidence/input_uncertainty.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/evidence/run_cost.hpp"
 #include "verification/gate/distributions/holm_correction.hpp"
@@ -177,6 +176,7 @@ const Comparison& CaseEvidence::comparison(const std::string& candidate,
 const Comparison& CaseEvidence::comparison_with(const std::string& candidate,
                                                 const std::string& reference,
                                                 const std::string& quantity, const Moved& moved) {
+  read_.insert({candidate, reference});
   const std::array<std::string, 3> key{candidate, reference, quantity + moved.text()};
   if (known_)
     if (const auto known = known_->of.find(key); known != known_->of.end()) return known->second;
@@ -184,16 +184,25 @@ const Comparison& CaseEvidence::comparison_with(const std::string& candidate,
   return fitted_.of.emplace(key, compared(candidate, reference, quantity, moved)).first->second;
 }
 
-const Contribution& CaseEvidence::input_contribution(const GateRow& row) {
+std::vector<InputEffect> CaseEvidence::effects_of_inputs(const GateRow& row) {
+  if (is_of_band(row.metric)) return input_effects(definition_, runs_, row, measure_with_series());
   const std::string key = row_name(row);
   if (known_)
     if (const auto known = known_->input.find(key); known != known_->input.end())
       return known->second;
   if (const auto found = fitted_.input.find(key); found != fitted_.input.end())
     return found->second;
-  return fitted_.input
-      .emplace(key, input_uncertainty(definition_, runs_, row, measure_with_series()))
+  return fitted_.input.emplace(key, input_effects(definition_, runs_, row, measure_with_series()))
       .first->second;
+}
+
+Contribution CaseEvidence::input_contribution(const GateRow& row, double value) {
+  const FindComparison find = [this](const auto&... names) -> const Comparison& {
+    return comparison(names...);
+  };
+  for (const auto& [input, bounds] : runs_.input_bounds) read_.insert(bounds.own);
+  return input_uncertainty(effects_of_inputs(row), row,
+                           candidate_scale(definition_, row, value, find));
 }
 
 // The series stands for all of an ensemble that the run begins.
@@ -221,6 +230,7 @@ MeasureWithSeries CaseEvidence::measure_with_series() const {
 
 const Estimate& CaseEvidence::of_repeats(const std::vector<std::string>& members,
                                          const GateRow& row) {
+  read_.insert(members.begin(), members.end());
   const std::string key = row_name(row);
   if (const auto found = of_repeats_.find(key); found != of_repeats_.end()) return found->second;
   std::vector<const TimeSeries*> pressures;
@@ -253,13 +263,16 @@ GateEvidence CaseEvidence::gate_evidence() {
     return comparison(candidate, reference, quantity);
   };
   const FindSeries find_series = [this](const std::string& run, const std::string& quantity) {
+    read_.insert(run);
     return cut_to_window(series_of(runs_, run, quantity),
                          {definition_.window_begin, definition_.window_end});
   };
   const FindHistory history = [this](const std::string& run, const std::string& quantity) {
+    read_.insert(run);
     return series_of(runs_, run, quantity);
   };
   const MeasureImpacts measure_impacts = [this](const std::string& run, const GateRow& of) {
+    read_.insert(run);
     return impact_metric(of.metric, of.mode, series_of(runs_, run, of.quantity),
                          series_of_record(definition_, runs_, of.quantity), definition_);
   };
@@ -267,6 +280,7 @@ GateEvidence CaseEvidence::gate_evidence() {
     return cost_to_reach(definition_, runs_, row, find);
   };
   const MeasureFields fields = [this](const GateRow& row) {
+    read_.insert({row.candidate, row.reference});
     return field_metric(row, result_of(runs_, row.candidate), result_of(runs_, row.reference),
                         definition_);
   };
@@ -293,7 +307,10 @@ GateEvidence CaseEvidence::gate_evidence() {
       .comparison = find,
       .measure = [evidence](const GateRow& row) { return measured(row, evidence); },
       .measure_against_moved = against_moved,
-      .input = [this](const GateRow& row) { return input_contribution(row); },
+      .input =
+          [this, evidence](const GateRow& row) {
+            return input_contribution(row, measured(row, evidence).value);
+          },
       .pairs = [evidence](const GateRow& row) { return measured_pairs(row, evidence); },
       .measure_with = measure_with_series()};
   const FindUncertainty uncertainty = [this, measures](const GateRow& row) {
@@ -325,7 +342,10 @@ GateEvidence CaseEvidence::gate_evidence() {
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {
-  return evaluate(row, runs_.status, gate_evidence());
+  read_.clear();
+  GateOutcome outcome = evaluate(row, runs_.status, gate_evidence());
+  outcome.measured_with = std::exchange(read_, {});
+  return outcome;
 }
 
 }  // namespace slosh

@@ -15,6 +15,7 @@
 
 #include "verification/case/case_definition.hpp"
 #include "verification/evidence/case_runs.hpp"
+#include "verification/evidence/input_uncertainty.hpp"
 #include "verification/evidence/record_uncertainty.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/metrics/comparison.hpp"
@@ -47,8 +48,8 @@ struct FittedComparisons {
   // By candidate, reference and the reference's quantity, moved or not.
   std::map<std::array<std::string, 3>, Comparison> of;
   std::map<PreparedKey, std::shared_ptr<const PreparedSeries>> series;
-  // input_uncertainty() by row_name(); it does not depend on the candidate's own series.
-  std::map<std::string, Contribution> input;
+  // input_effects() by row_name(), but for those that depend on the candidate's own series.
+  std::map<std::string, std::vector<InputEffect>> input;
 };
 
 // The part of a comparison's modes that is computed; by default all of it.
@@ -89,13 +90,15 @@ class CaseEvidence {
   std::vector<ToneRequest> modes_;
   FittedComparisons fitted_;
   std::map<std::string, Estimate> of_repeats_ = {};  // by row; before any correction
+  std::set<std::string> read_ = {};                  // the runs that the row being judged has read
 
   // Compares with the reference's series, moved or not.
   const Comparison& comparison_with(const std::string& candidate, const std::string& reference,
                                     const std::string& quantity, const Moved& moved);
   Comparison compared(const std::string& candidate, const std::string& reference,
                       const std::string& quantity, const Moved& moved);
-  const Contribution& input_contribution(const GateRow& row);
+  std::vector<InputEffect> effects_of_inputs(const GateRow& row);
+  Contribution input_contribution(const GateRow& row, double value);
   const Estimate& of_repeats(const std::vector<std::string>& members, const GateRow& row);
   Estimate corrected_p_value(const std::vector<std::string>& members, const GateRow& row);
   const PreparedSeries& prepared(const std::string& role, const std::string& run,

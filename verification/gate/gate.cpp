@@ -74,6 +74,12 @@ std::string outweighed_text(const Improvement& found, const std::string& unit) {
                      off, in_unit(found.as_good_at, unit));
 }
 
+// With what each run has of its own beside: its scatter and its discretisation.
+Estimate with_own(const Estimate& value, const UncertaintyContributions& of) {
+  return {value.value,
+          std::hypot(value.half_width, of.time_series.known(), of.discretisation.known())};
+}
+
 GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
                               const GateEvidence& evidence) {
   GateRow others_row = row;
@@ -81,9 +87,7 @@ GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
   const Estimate other = measured(others_row, evidence);
   const UncertaintyContributions own = contributions_to(row, evidence),
                                  others = contributions_to(others_row, evidence);
-  const Improvement found{{value.value, std::hypot(value.half_width, own.time_series.known())},
-                          {other.value, std::hypot(other.half_width, others.time_series.known())},
-                          common_to(own, others),
+  const Improvement found{with_own(value, own), with_own(other, others), common_to(own, others),
                           as_good_at(row.metric, value.value, other.value)};
   const Verdict verdict = verdict_on(found);
   const std::string missing = missing_for_validation(own);

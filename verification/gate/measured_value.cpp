@@ -321,6 +321,15 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
   add_coverage(covered, found);
 }
 
+SampleDoubts doubts_of_row(const GateRow& row, const GateEvidence& evidence) {
+  SampleDoubts found;
+  if (is_of_a_pair(metric_entry(row.metric)))
+    add_doubts_of_pairs(row, evidence, found);
+  else if (is_of_impacts(row.metric) || is_of_candidate_alone(row.metric))
+    add_doubts_of_candidate(row, evidence, found);
+  return found;
+}
+
 }  // namespace
 
 std::string unseen_text(const UnseenInterval& unseen, const std::string& unit) {
@@ -337,11 +346,14 @@ std::string unseen_text(const UnseenInterval& unseen, const std::string& unit) {
 }
 
 SampleDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence) {
-  SampleDoubts found;
-  if (is_of_a_pair(metric_entry(row.metric)))
-    add_doubts_of_pairs(row, evidence, found);
-  else if (is_of_impacts(row.metric) || is_of_candidate_alone(row.metric))
-    add_doubts_of_candidate(row, evidence, found);
+  SampleDoubts found = doubts_of_row(row, evidence);
+  if (!row.improves_on) return found;
+  GateRow other = row;
+  other.candidate = *row.improves_on;
+  const SampleDoubts others = doubts_of_row(other, evidence);
+  if (others.text != found.text && !others.text.empty())  // what both say is of the reference
+    found.text += fmt::format("; with {} as the candidate{}", other.candidate, others.text);
+  found.keep_from_passing |= others.keep_from_passing;
   return found;
 }
 

@@ -50,6 +50,7 @@ FittedComparisons without(const std::vector<std::string>& runs, FittedComparison
 CaseRuns with_spoiled(const CaseAssessment& assessment, const GateRow& row, Spoiling spoiling,
                       const SpoilingFrame& frame) {
   CaseRuns runs{assessment.runs.status, {}, assessment.runs.timings};
+  if (is_of_band(row.metric)) runs.input_bounds = assessment.runs.input_bounds;
   for (const auto& [run, result] : assessment.runs.results)
     runs.results[run] = judged_part(result, row.quantity);
   for (const std::string& member : members_of(assessment.definition, row.candidate))

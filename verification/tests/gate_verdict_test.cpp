@@ -1,8 +1,11 @@
 // What a verdict rests on: a failure that was recorded, the results of the right keys, rows that
 // the baseline knows. Each test does what somebody might, by mistake or on purpose, to pass a gate.
+#include <signal.h>
+
 #include <fstream>
 
 #include "verification/results/result_file.hpp"
+#include "verification/tests/comes_true.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh::gate_verdict_test {
@@ -133,6 +136,25 @@ TEST_F(GateVerdict, ComesAfterReferencesThatWereReadBeforeAnyProgramRan) {
   write_program("test -n \"$(find '" + store().string() + "' -name '*.h5')\" || exit 9\nexec \"" +
                 STAND_IN_SOLVER + "\" \"$@\"\n");
   EXPECT_EQ(campaign().status, 0);
+}
+
+// Whoever ends a start on a part of the campaign does not know whether the rest still holds.
+TEST_F(GateVerdict, OfTheWholeDoesNotOutliveASelectionThatWasEnded) {
+  const fs::path started = directory() / "started";
+  for (const int signal : {SIGTERM, SIGKILL}) {
+    write_program(std::string("exec \"") + STAND_IN_SOLVER + "\" \"$@\"\n");
+    ASSERT_EQ(tool({"gate", "./surges.toml", "-o", "out"}).status, 0);
+    ASSERT_EQ(tool({"gate", "./surges.toml", "-o", "out", "--only", "small"}).status, 0);
+    EXPECT_TRUE(holds(gate_md(), "PASS")) << "a selection that passes leaves it";
+    fs::remove(started);
+    write_program("touch '" + started.string() + "'\nsleep 60\n");
+    auto child = start_tool({"gate", "./surges.toml", "-o", "out", "--only", "small"});
+    ASSERT_TRUE(comes_true([&] { return fs::exists(started); }, patience));
+    kill(child.id(), signal);
+    end_of(std::move(child));
+    EXPECT_FALSE(holds(gate_md(), "PASS")) << signal;
+    EXPECT_TRUE(holds(junit(), "<error")) << signal;
+  }
 }
 
 TEST_F(GateVerdict, IsNotTakenFromAFileOfAnEarlierStart) {

@@ -111,6 +111,23 @@ TEST(RunSelection, TakesTheRepeatsAtTheBoundsOfAnInputWhereARowRestsOnAnExperime
   EXPECT_FALSE(takes({.quick = true}));
 }
 
+TEST(RunSelection, TakesWhatTellsTheInputsOfARowThatRestsOnAnExperiment) {
+  CaseDefinition definition = tank();
+  definition.runs.push_back(run_of("record", RecordRun{}));
+  definition.runs.push_back(run_of("slow", particles(0.04)));
+  definition.gate[0].reference = "record";
+  EXPECT_EQ(selected({.only = {"tank/fine"}}, definition), (Names{"fine", "record"}));
+  definition.inputs = {{Input::amplitude, 0.001, "a ruler", "slow"}};
+  EXPECT_EQ(selected({.only = {"tank/fine"}}, definition),
+            (Names{"theory", "fine", "record", "slow"}));
+  EXPECT_EQ(selected({.only = {"tank/coarse"}}, definition),
+            (Names{"coarse", "mesh_20", "mesh_40"}));
+  definition.inputs = {{Input::kinematic_viscosity, 1e-7, "a table", "slow"}};
+  EXPECT_EQ(selected({.only = {"tank/fine"}}, definition), (Names{"fine", "record", "slow"}));
+  definition.gate[0].kind = RowKind::regression;
+  EXPECT_EQ(selected({.only = {"tank/fine"}}, definition), (Names{"fine", "record"}));
+}
+
 TEST(RunSelection, TakesAReferenceAloneWithoutTheCandidatesThatItJudges) {
   EXPECT_EQ(selected({.only = {"tank/theory"}}, tank()), Names{"theory"});
 }

@@ -96,17 +96,14 @@ void EarlierVerdicts::begin(const std::vector<std::string>& written) {
   const Place& own = places_.front();
   for (const char* folder : {gate_folder, report_folder}) require_no_input(own.directory / folder);
   for (const std::string& output : written) require_own(own.directory / output);
-  has_begun_ = true;
-  for (const char* folder : {gate_folder, report_folder})
-    supersede(own, folder, exit_not_compared, "the start has not come to its verdict");
+  end_early("the start has not come to its verdict");
+  for (const Place& place : places_) left_.push_back(read(place.directory));
 }
 
 void EarlierVerdicts::end_early(const std::string& why) const {
-  for (const Place& place : places_) {
+  for (const Place& place : places_)
     for (const char* folder : {gate_folder, report_folder})
       supersede(place, folder, exit_not_compared, why);
-    if (has_begun_) return;
-  }
 }
 
 std::optional<int> EarlierVerdicts::told(const Place& place, const char* folder) {
@@ -117,19 +114,26 @@ std::optional<int> EarlierVerdicts::told(const Place& place, const char* folder)
   return found;
 }
 
+void EarlierVerdicts::put_back(std::size_t place, const char* folder) const {
+  std::map<fs::path, std::string> now = read(places_[place].directory).texts,
+                                  left = left_[place].texts;
+  for (const auto& [file, text] : places_[place].texts)
+    if (file.parent_path().filename() == folder && now[file] == left[file]) replace_own(file, text);
+}
+
 void EarlierVerdicts::end(const char* folder, int status) const {
-  const Place& own = places_.front();
   const std::string why = fmt::format("a later start has ended with exit status {}", status);
   const bool has_failed = is_worse_status(status, exit_not_compared);
-  for (auto whole = places_.begin() + 1; has_failed && whole != places_.end(); ++whole)
+  for (std::size_t whole = 1; whole < places_.size(); ++whole)
     for (const char* one : {gate_folder, report_folder})
-      if (is_worse_status(status, told(*whole, one).value_or(exit_pass)))
-        supersede(*whole, one, status, why);
-  const std::optional<int> before = told(own, folder);
+      if (has_failed && is_worse_status(status, told(places_[whole], one).value_or(exit_pass)))
+        supersede(places_[whole], one, status, why);
+      else
+        put_back(whole, one);
+  const std::optional<int> before = told(places_.front(), folder);
   if (!before || is_worse_status(status, *before))
-    return supersede(own, folder, has_failed ? status : exit_not_compared, why);
-  for (const auto& [file, text] : own.texts)
-    if (file.parent_path().filename() == folder) replace_own(file, text);
+    return supersede(places_.front(), folder, has_failed ? status : exit_not_compared, why);
+  put_back(0, folder);
 }
 
 int superseding(const CampaignOptions& options, const Installation& installation,

@@ -20,16 +20,16 @@ class EarlierVerdicts {
   // campaign's file may be wrong.
   EarlierVerdicts(const CampaignOptions& options, const Installation& installation);
 
-  // Replaces the documents as soon as the inputs are known. `written` are the outputs of this
+  // Replaces the documents as soon as the inputs are known, for a selection those of the whole
+  // campaign too: whatever ends the start leaves no old verdict. `written` are the outputs of this
   // start, by their paths in the directory; none may be an input or foreign. Throws as
   // require_own() (files/own_files.hpp).
   void begin(const std::vector<std::string>& written);
-  // Replaces them where the start ends without a verdict. If it ends before begin(), its selection
-  // may be a mistake: the documents of the whole campaign go too.
+  // Replaces them where the start ends without a verdict.
   void end_early(const std::string& why) const;
   // Puts back those of a folder that this start has not written, "gate" or "report", unless they
-  // say better than its exit status. Where a selection has failed, those of the whole campaign that
-  // say better go too.
+  // say better than its exit status; and those of the whole campaign, unless a selection has failed
+  // and they say better. What another start has written meanwhile stays.
   void end(const char* folder, int status) const;
 
  private:
@@ -40,11 +40,12 @@ class EarlierVerdicts {
   static Place read(const std::filesystem::path& directory);
   // The exit status that the documents of a folder tell; nullopt where none does.
   static std::optional<int> told(const Place& place, const char* folder);
+  void put_back(std::size_t place, const char* folder) const;
   void supersede(const Place& place, const char* folder, int status, const std::string& why) const;
 
   std::string campaign_;
-  std::vector<Place> places_;  // the start's own, and for a selection that of the whole campaign
-  bool has_begun_ = false;
+  std::vector<Place> places_;     // the start's own, and for a selection that of the whole campaign
+  std::vector<Place> left_ = {};  // the same once this start has replaced the documents
 };
 
 // Does what `start` does and returns the same. Ends the earlier verdicts early where it throws.

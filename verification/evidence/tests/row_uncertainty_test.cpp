@@ -1,10 +1,14 @@
 // What makes a row uncertain beside its own interval, on the small surge of surge_results.hpp.
 #include "verification/evidence/row_uncertainty.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <set>
 
 #include "reports/tables/case_tables.hpp"
 #include "verification/assessment/validity_envelope.hpp"
@@ -529,6 +533,93 @@ TEST(RowUncertainty, OfAnInputIsTheLargestChangeOfAMagnitude) {
   EXPECT_NEAR(row.contributions().input.known(), 0.1 / 1.05, 2e-3);
 }
 
+// What the tank's own amplitude or period would make of a candidate that answers as theory does, 2
+// % above a record of any height and late by some samples, against what the row counts. Theory is
+// far from both.
+struct OfAnAnswer : OfARecord {
+  static constexpr double factor = 1.02;
+  double height;
+  std::size_t late;
+
+  OfAnAnswer(Metric metric, const std::string& mode, double high, std::size_t samples_late,
+             Input input, double half_width)
+      : OfARecord(metric, mode, "1", 0.5, 0), height(high), late(samples_late) {
+    definition.runs.pop_back();
+    runs.results.erase("coarse_particles");
+    runs.status.erase("coarse_particles");
+    definition.refinements.clear();
+    definition.inputs = {{input, half_width, "nobody"}};
+    runs.results["record"] = result_of("record", scaled(elevation_of({}), height));
+    runs.results["particles"] = result_of("particles", answer({}));
+  }
+  TimeSeries answer(const Theory& tank) const {
+    TimeSeries series = scaled(elevation_of(tank), factor * height);
+    series.value.insert(series.value.begin(), late, 0.0);
+    series.value.resize(series.time.size());
+    return series;
+  }
+  double measured(const Theory& tank) const {
+    OfARecord other = *this;
+    other.definition.inputs.clear();
+    other.runs.results["particles"] = result_of("particles", answer(tank));
+    return other.judged().value.value;
+  }
+  double reach(const std::function<Theory(double)>& tank) const {
+    const double own = measured({});
+    return std::max(std::abs(measured(tank(-1)) - own), std::abs(measured(tank(1)) - own));
+  }
+};
+
+TEST(RowUncertainty, OfAnInputIsOfTheCandidateHoweverFarTheoryIs) {
+  const double frequency = Theory().angular_frequency, period = 2 * std::numbers::pi / frequency;
+  const auto higher = [](double s) { return Theory{.amplitude = 0.02 + 0.002 * s}; };
+  const auto slower = [&](double s) {
+    return Theory{.angular_frequency = frequency / (1 + 0.01 * s)};
+  };
+  const auto check = [](const OfAnAnswer& row, double reach) {
+    const GateOutcome outcome = row.judged();
+    const double found = outcome.judgement->contributions.input.known();
+    EXPECT_GE(found, 0.97 * reach - 1e-4) << row_name(outcome.row) << " " << row.height;
+    // The series move by more than a distance need do.
+    if (outcome.row.metric != Metric::normalised_rms)
+      EXPECT_LE(found, 1.1 * reach + 0.01) << row_name(outcome.row) << " " << row.height;
+  };
+  for (const double height : {0.5, 2.0})
+    for (const auto& [metric, mode] : {std::pair{Metric::amplitude_error, "forced"},
+                                       {Metric::rms_error, "whole"},
+                                       {Metric::normalised_rms, "whole"}}) {
+      const OfAnAnswer by_amplitude(metric, mode, height, 15, Input::amplitude, 0.002);
+      check(by_amplitude, by_amplitude.reach(higher));
+      if (metric == Metric::amplitude_error) continue;  // no fit tells it at another period
+      const OfAnAnswer by_period(metric, mode, height, 15, Input::period, 0.01 * period);
+      check(by_period, by_period.reach(slower));
+    }
+}
+
+// The band of a record that is half as high as theory says: theory is outside whatever the input
+// is.
+TEST(RowUncertainty, OfAnInputIsTheTimeThatTheCandidateLeavesTheBandFor) {
+  OfARecord row(Metric::outside_band, "whole", "1", 0.3, 0.001);
+  const TimeSeries wave = scaled(elevation_of({}), 0.5);
+  const double around = 0.05 * 0.5 * *std::max_element(wave.value.begin(), wave.value.end());
+  RunResult& record = row.runs.results["record"] = result_of("record", wave);
+  auto& declared = std::get<RecordRun>(row.definition.runs.at(1).solver);
+  declared.has_band = true;
+  for (const auto& [suffix, by] : {std::pair{lower_edge, -around}, {upper_edge, around}}) {
+    record.series.push_back(wave);
+    record.series.back().name += suffix;
+    for (double& value : record.series.back().value) value += by;
+  }
+  row.runs.results["particles"] = result_of("particles", wave);
+  row.definition.inputs = {{Input::amplitude, 0.002, "a ruler"}};
+  const TimeSeries inside = cut_to_window(wave, {1, 20});
+  double outside = 0;  // where a tenth of the wave exceeds the band
+  for (const double value : inside.value)
+    outside += std::abs(0.1 * value) > around ? 1.0 / static_cast<double>(inside.value.size()) : 0;
+  ASSERT_GT(outside, 0.2);
+  EXPECT_NEAR(row.contributions().input.known(), outside, 0.02) << row.judged().message;
+}
+
 // At both bounds the liquid moves as at the value itself, or as high as there.
 TEST(RowUncertainty, OfAnInputSeesWhatTurnsBetweenItsBounds) {
   for (const double turns : {360.0, 4680.0}) {
@@ -621,6 +712,58 @@ TEST(RowUncertainty, OfTheInputsOfAFreeWaveComesFromTheViscousWave) {
             bounds.at(Input::fill_depth).upper.at(surge_quantity).value);
 }
 
+// A free wave of a viscous liquid, with a theory that does not count viscosity before or after the
+// one that does, or alone.
+struct OfAViscousWave : OfARecord {
+  OfAViscousWave(Metric metric, const std::string& unit, const std::vector<std::string>& theories)
+      : OfARecord(metric, "natural_1", unit, 0.9, 1e-4) {
+    definition.motion = {};
+    definition.initial_wave = InitialWaveDefinition{1, 0.01};
+    definition.liquid.kinematic_viscosity = 1e-3;
+    const RunDefinition first = definition.runs.at(0);
+    definition.runs.erase(definition.runs.begin());
+    runs.results.erase("theory");
+    runs.status.erase("theory");
+    RunDefinition viscous = first;
+    viscous.solver = ViscousWaveRun{0.1};
+    const RunResult wave = execute(definition, viscous, {}, [](double, double) {});
+    for (auto& [name, result] : runs.results) {
+      result = result_of(name, wave.at(surge_quantity));
+      if (name == "coarse_particles") result.series[0] = scaled(result.series[0], 1.0001);
+    }
+    for (const std::string& name : theories) {
+      RunDefinition theory = name == "viscous" ? viscous : first;
+      theory.name = name;
+      runs.results[name] = execute(definition, theory, {}, [](double, double) {});
+      runs.status[name] = {RunState::finished, ""};
+      definition.runs.push_back(theory);
+    }
+  }
+};
+
+TEST(RowUncertainty, OfViscosityComesFromATheoryThatCountsItOrIsUnknown) {
+  const std::vector<std::vector<std::string>> both{{"linear", "viscous"}, {"viscous", "linear"}};
+  for (const auto& [metric, unit] :
+       {std::pair{Metric::decay_error, "1"}, {Metric::decay_rate, "1/s"}})
+    for (const Input input : {Input::kinematic_viscosity, Input::fill_depth}) {
+      const double half_width = input == Input::fill_depth ? 0.02 : 5e-4;
+      std::vector<double> found;
+      for (const auto& theories : both) {
+        OfAViscousWave row(metric, unit, theories);
+        row.definition.inputs = {{input, half_width, "a guess"}};
+        found.push_back(row.contributions().input.half_width.value());
+      }
+      EXPECT_EQ(found[0], found[1]) << "in any order";
+      EXPECT_GT(found[0], input == Input::fill_depth ? 1e-5 : 0.005) << metric_name(metric);
+      OfAViscousWave alone(metric, unit, {"linear"});
+      alone.definition.inputs = {{input, half_width, "a guess"}};
+      EXPECT_FALSE(alone.contributions().input.half_width);
+      EXPECT_EQ(alone.judged().verdict, Verdict::inconclusive) << alone.judged().message;
+      EXPECT_NE(alone.judged().message.find("viscosity"), std::string::npos)
+          << alone.judged().message;
+    }
+}
+
 // Where no theory holds: the coarse run of the case, with waves that are higher by the same share
 // as the input.
 struct WithACoarseRun : OfARecord {
@@ -647,6 +790,75 @@ TEST(RowUncertainty, OfAnInputThatNoTheoryTellsIsThatOfACoarseRunAtBothEnds) {
   row.add(row.ends[1], 1.09);  // the larger of 9 % and 1 %
   EXPECT_NEAR(row.contributions().input.half_width.value(), 0.09, 4e-6);
   EXPECT_EQ(row.judged().verdict, Verdict::inconclusive);
+}
+
+TEST(RowUncertainty, OfAnInputThatACoarseRunDoesNotSeeIsUnknown) {
+  WithACoarseRun row;
+  for (const std::string& end : row.ends) row.add(end, 1 + 2e-6);  // as the coarse run itself
+  EXPECT_FALSE(row.contributions().input.half_width.has_value());
+  EXPECT_EQ(row.judged().verdict, Verdict::inconclusive);
+  EXPECT_NE(row.judged().message.find("it changes nothing of coarse_particles"), std::string::npos)
+      << row.judged().message;
+}
+
+// The refinement and the theory of the inputs, but no run that decides nothing.
+TEST(RowUncertainty, NamesTheRunsThatItWasMeasuredWith) {
+  OfARecord row(Metric::normalised_rms, "whole", "1", 0.05, 0.001);
+  RunDefinition idle = row.definition.runs.at(2);
+  idle.name = "idle";
+  row.definition.runs.push_back(idle);
+  row.runs.results["idle"] = result_of("idle", scaled(elevation_of({}), 1.2));
+  row.runs.status["idle"] = {RunState::finished, ""};
+  using Names = std::set<std::string>;
+  EXPECT_EQ(row.judged().measured_with, (Names{"coarse_particles", "particles", "record"}));
+  row.definition.inputs = {{Input::amplitude, 0.0002, "a ruler"}};
+  EXPECT_EQ(row.judged().measured_with,
+            (Names{"coarse_particles", "particles", "record", "theory"}));
+  row.runs.results.erase("coarse_particles");  // as where the quick form leaves it out
+  row.runs.status["coarse_particles"] = {RunState::not_selected, ""};
+  EXPECT_EQ(row.judged().measured_with, (Names{"particles", "record", "theory"}));
+  row.runs.status["particles"] = {RunState::failed, "a particle left the tank"};
+  EXPECT_EQ(row.judged().measured_with, Names{});
+}
+
+// A refinement that leaves 57 % open decides nothing between errors of 1 and 10 %.
+TEST(RowUncertainty, OfARefinementCountsForAnImprovementToo) {
+  for (const double coarse_error : {0.012, 0.2}) {
+    OfARecord row(Metric::rms_error, "whole", "1", 0, coarse_error);
+    row.definition.gate[0].limit.reset();
+    row.definition.gate[0].improves_on = "bad";
+    RunDefinition bad = row.definition.runs.at(2);
+    bad.name = "bad";
+    row.definition.runs.push_back(bad);
+    for (const auto& [name, error] : {std::pair{"particles", 0.01}, {"bad", 0.1}}) {
+      row.runs.results[name] = result_of(name, scaled(elevation_of({}), 1 + error));
+      row.runs.status[name] = {RunState::finished, ""};
+    }
+    EXPECT_EQ(row.judged().verdict, coarse_error < 0.1 ? Verdict::pass : Verdict::inconclusive)
+        << row.judged().message;
+  }
+}
+
+// What is clipped may be as exact as the candidate.
+TEST(RowUncertainty, OfTheSamplesCountsForTheRunToImproveOnToo) {
+  OfARecord row(Metric::rms_error, "whole", "1", 0, 0.032);
+  row.definition.gate[0].limit.reset();
+  row.definition.gate[0].improves_on = "bad";
+  RunDefinition bad = row.definition.runs.at(2);
+  bad.name = "bad";
+  row.definition.runs.push_back(bad);
+  row.runs.status["bad"] = {RunState::finished, ""};
+  row.runs.results["particles"] = result_of("particles", scaled(elevation_of({}), 1.03));
+  TimeSeries clipped = elevation_of({});
+  row.runs.results["bad"] = result_of("bad", scaled(clipped, 0.9));
+  EXPECT_EQ(row.judged().verdict, Verdict::pass) << row.judged().message;
+  const double most = 0.7 * *std::max_element(clipped.value.begin(), clipped.value.end());
+  for (double& value : clipped.value) value = std::clamp(value, -most, most);
+  row.runs.results["bad"] = result_of("bad", clipped);
+  const GateOutcome outcome = row.judged();
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << outcome.message;
+  EXPECT_NE(outcome.message.find("with bad as the candidate; doubtful: "), std::string::npos)
+      << outcome.message;
 }
 
 TEST(RowUncertainty, OfAWideIntervalBetweenTwoRunsIsUnknown) {
