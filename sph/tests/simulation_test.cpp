@@ -28,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(Named, EveryScheme, testing::ValuesIn(schemes_and_varia
 
 TEST_P(EveryScheme, GivesTheSameBitsWithOneAndTwoThreads) {
   // A few steps: threads that wait for one another on a busy machine take many times as long.
-  Scene scene = surging_scene(0.025, 0.005);
+  Scene scene = surging_scene(0.05, 0.005);
   scene.sample_interval = 0.005;
   const RunOutput one = run_with_threads(1, GetParam(), scene);
   const RunOutput two = run_with_threads(2, GetParam(), scene);

@@ -134,13 +134,14 @@ TEST(CampaignReport, TellsOnEachCasesPageItsOwnVerdict) {
 
 // Names of cases that are made of another's name and what its pages, tables and figures are called.
 TEST(CampaignReport, OfCasesNamedAsPartsOfOthersHasNoIdTwice) {
-  std::vector<CaseAssessment> cases{good()};
+  const CaseAssessment one = good();
+  std::vector<CaseAssessment> cases{one};
   for (const char* part : {"-appendix", "-gate", "-1", "-figures", "-spectrum", "-history"}) {
-    cases.push_back(good());
+    cases.push_back(one);
     cases.back().definition.name += part;
   }
   for (const char* name : {"gate", "worst", "bias", "index", "case", "matrix", "across"}) {
-    cases.push_back(good());
+    cases.push_back(one);
     cases.back().definition.name = name;
   }
   EXPECT_NO_THROW(reports::check_report(report_of(surge_campaign(), cases)));

@@ -80,7 +80,8 @@ class SealedFile : public ::testing::TestWithParam<Kind> {
 TEST_P(SealedFile, IsTakenAsItWasWritten) { EXPECT_EQ(refusal(bytes), ""); }
 
 TEST_P(SealedFile, IsRefusedByNameWhereverItIsCut) {
-  for (std::size_t length = 0; length < bytes.size(); ++length) {
+  const std::size_t seal_begin = bytes.size() - 100;
+  for (std::size_t length = 0; length < bytes.size(); length += length < seal_begin ? 5 : 1) {
     const std::string words = refusal(bytes.substr(0, length));
     ASSERT_NE(words.find(name), std::string::npos) << length << " bytes: " << words;
     ASSERT_NE(words.find("not a whole"), std::string::npos) << length << " bytes: " << words;
