@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "verification/case/motion.hpp"
+#include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/published_records.hpp"
 #include "verification/tests/trial_case.hpp"
 
@@ -82,41 +83,31 @@ TEST(ForcingSection, NamesWhatToWriteForATableOfTwoSines) {
               5, 0);
 }
 
-TEST(ForcingSection, RefusesASpectrumThatIsNotATablesOrIsNamedBeside) {
-  EXPECT_EQ(complaint_about({"natural_modes = 2\n", from_spectrum}),
-            "trial.toml:35: comparison.forcing = \"from_spectrum\": expected no such key without a "
-            "motion table: a sine has its own frequency");
-  EXPECT_EQ(complaint_with(table_of(sine), from_spectrum + "forcing_period_s = 2\n"),
-            "trial.toml:35: comparison.forcing_period_s = 2: expected no such key beside forcing");
-  EXPECT_NE(complaint_with(table_of(sine), "natural_modes = 2\nforcing = \"spectrum\"\n")
-                .find("comparison.forcing = \"spectrum\": expected how the frequency of a motion "
-                      "table is known, which is from_spectrum"),
-            std::string::npos);
-}
-
-TEST(ForcingSection, NamesTheKeysWhereARowAsksForTheForcedModeOfATable) {
-  const std::string message = complaint_with(table_of(sine), "natural_modes = 2\n");
-  EXPECT_NE(message.find("gate.mode = \"forced\": expected"), std::string::npos) << message;
-  EXPECT_NE(message.find("the table has a forced mode where [comparison] gives "
-                         "forcing_frequency_Hz, or forcing = \"from_spectrum\""),
-            std::string::npos)
-      << message;
+TEST(ForcingSection, RefusesASpectrumThatIsNotATablesOrIsNamedBesideOrIsNeeded) {
+  expect_refusals(valid_text, R"(
+comparison.forcing = "from_spectrum": expected no such key without a motion table: a sine has its own
+  frequency
+)");
+  expect_refusals({with_comparison(from_spectrum), {{"surge.csv", table_of(sine)}}}, R"(
+comparison.forcing_period_s = 2: expected no such key beside forcing
+comparison.forcing = "spectrum": expected how the frequency of a motion table is known, which is
+  from_spectrum
+comparison.forcing is missing -> gate.mode = "forced": expected ... the table has a forced mode where
+  [comparison] gives forcing_frequency_Hz, or forcing = "from_spectrum"
+)");
 }
 
 // A period can be uncertain only where the motion has one.
 TEST(ForcingSection, HasAnUncertainPeriodOnlyOfATableWhosePeriodIsKnown) {
   const std::string input =
       "[[input]]\nname = \"period\"\nunit = \"s\"\nhalf_width = 0.01\nsource = \"none\"\n";
-  const std::string text = with_comparison(from_spectrum) + input;
-  const Workspace workspace;
-  workspace.write("surge.csv", table_of(sine));
-  EXPECT_EQ(read_case(workspace.write("trial.toml", text)).inputs.size(), 1u);
-  std::string unnamed = with_comparison("natural_modes = 2\n");
-  unnamed.resize(unnamed.find("[[gate]]"));
-  EXPECT_NE(complaint(workspace.write("trial.toml", unnamed + input))
-                .find("input.name = \"period\": expected an input that this case has: its motion "
-                      "has no single period"),
-            std::string::npos);
+  std::string text = with_comparison(from_spectrum);
+  text = text.substr(0, text.find("[[gate]]")) + input;
+  expect_refusals({text, {{"surge.csv", table_of(sine)}}}, R"(
+input.half_width = 0.01: accepted
+comparison.forcing is missing -> input.name = "period": expected an input that this case has: its
+  motion has no single period
+)");
 }
 
 // The shipped roll of SPHERIC benchmark 10 declares 3.840445 rad/s, fitted to the whole record.
