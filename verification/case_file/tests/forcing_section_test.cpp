@@ -10,6 +10,7 @@
 
 #include "verification/case/motion.hpp"
 #include "verification/case_file/tests/refusals.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/published_records.hpp"
 #include "verification/tests/trial_case.hpp"
 
@@ -67,16 +68,15 @@ TEST(ForcingSection, FindsItBehindNoise) {
 TEST(ForcingSection, NamesWhatToWriteForATableOfTwoSines) {
   const auto two = [](double t) { return sine(t) + 0.015 * std::sin(5 * t); };
   const std::string message = complaint_with(table_of(two), from_spectrum);
-  EXPECT_TRUE(
-      message.starts_with("trial.toml:34: comparison.forcing = \"from_spectrum\": expected "
-                          "a motion table that is nearly one sine from 1 to 20 s, the "
-                          "window of the comparison; surge.csv: the rest beside the sine "
-                          "of 0.461"))
-      << message;
-  EXPECT_NE(message.find("the next peak is at 0.79"), std::string::npos) << message;
-  EXPECT_NE(message.find("Write forcing_frequency_Hz or forcing_period_s instead to name the "
-                         "frequency that is meant"),
-            std::string::npos);
+  EXPECT_TRUE(begins(message,
+                     "trial.toml:34: comparison.forcing = \"from_spectrum\": expected "
+                     "a motion table that is nearly one sine from 1 to 20 s, the "
+                     "window of the comparison; surge.csv: the rest beside the sine "
+                     "of 0.461"));
+  EXPECT_TRUE(holds(message, "the next peak is at 0.79"));
+  EXPECT_TRUE(holds(message,
+                    "Write forcing_frequency_Hz or forcing_period_s instead to name the "
+                    "frequency that is meant"));
   EXPECT_NEAR(forcing_frequency(read_with(table_of(two),
                                           "natural_modes = 2\nforcing_angular_frequency_rad_s = "
                                           "5\n")),
@@ -115,7 +115,7 @@ TEST(ForcingSection, FindsTheFrequencyOfTheShippedRoll) {
   std::ifstream stream(SLOSH_SOURCE_DIR "/verification/cases/zhao2021_violent_roll.toml");
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   const std::string declared = "forcing_angular_frequency_rad_s = 3.840445";
-  ASSERT_NE(text.find(declared), std::string::npos);
+  ASSERT_TRUE(holds(text, declared));
   text.replace(text.find(declared), declared.size(), "forcing = \"from_spectrum\"");
   const Workspace workspace;
   const std::filesystem::path cases = SLOSH_SOURCE_DIR "/verification/cases";

@@ -6,6 +6,7 @@
 
 #include "verification/case/motion.hpp"
 #include "verification/case_file/tests/refusals.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::motion_section_test {
@@ -111,7 +112,7 @@ motion.surge.sines = [0.02, 4] -> motion.surge.sines = (an array): expected an a
     const Workspace workspace;
     const std::string message = complaint(
         workspace.write("trial.toml", moved_by("[motion.surge]\ntype = \"sines\"\n" + sines)));
-    EXPECT_TRUE(message.starts_with("trial.toml:19: motion.surge.sines." + said)) << message;
+    EXPECT_TRUE(begins(message, "trial.toml:19: motion.surge.sines." + said));
   };
   of("amplitude_m = 0, period_s = 1", "amplitude_m = 0: expected a number > 0, in m");
   of("amplitude_m = 0.02", "angular_frequency_rad_s is missing");
@@ -135,7 +136,7 @@ motion.roll.phase_deg = 180: accepted
     const Workspace workspace;
     return complaint(workspace.write("trial.toml", moved_by(sines + second + " }]\n")));
   };
-  EXPECT_NE(said("1, period_s = 1").find("where this is 4"), std::string::npos);
+  EXPECT_TRUE(holds(said("1, period_s = 1"), "where this is 4"));
   EXPECT_EQ(said("4, period_s = 1, phase_deg = -90"), "");
 }
 
@@ -278,9 +279,8 @@ TEST(MotionSection, IntegratesATableOfAccelerationsFromRestAtTheStart) {
       0.02 * degree);
   const Workspace workspace;
   workspace.write("roll.csv", "time_s,acceleration_deg_s2\n" + rows);
-  EXPECT_NE(complaint(workspace.write("trial.toml", moved_by(table_roll)))
-                .find("expected angles from -360 to 360, in deg"),
-            std::string::npos);
+  EXPECT_TRUE(holds(complaint(workspace.write("trial.toml", moved_by(table_roll))),
+                    "expected angles from -360 to 360, in deg"));
 }
 
 TEST(MotionSection, AddsTheTimeOffsetToTheTimesOfATable) {

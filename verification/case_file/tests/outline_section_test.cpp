@@ -5,6 +5,7 @@
 
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case_file/tests/refusals.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::outline_section_test {
@@ -97,7 +98,7 @@ tank.outline_m = [[0, 0], [2, 0], [2, 1], [1, 0.7], [0, 1]] -> tank.outline_m = 
                   many + "] -> tank.outline_m = (an array): expected 3 to 1000 corners");
   const std::string second = complaint_about(
       {"length_m = 2\nheight_m = 1.0\n", "outline_m = [[0, 0], [1, 0],\n[1, 1, 0]]\n"});
-  EXPECT_TRUE(second.starts_with("trial.toml:9: tank.outline_m = [1, 1, 0]")) << second;
+  EXPECT_TRUE(begins(second, "trial.toml:9: tank.outline_m = [1, 1, 0]"));
 }
 
 std::string with_sensor(const std::string& keys) {

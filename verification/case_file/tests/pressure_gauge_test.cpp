@@ -6,6 +6,7 @@
 
 #include "verification/case/quantities.hpp"
 #include "verification/case_file/tests/refusals.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::pressure_gauge_test {
@@ -185,7 +186,7 @@ time.snapshot_times_s = [2, 2] -> time.snapshot_times_s = 2: expected a number a
 )");
   const std::string third =
       complaint_about({"duration_s = 20.0", "snapshot_times_s = [2,\n\n1]\nduration_s = 20.0"});
-  EXPECT_TRUE(third.starts_with("trial.toml:25: time.snapshot_times_s = 1: expected")) << third;
+  EXPECT_TRUE(begins(third, "trial.toml:25: time.snapshot_times_s = 1: expected"));
 }
 
 }  // namespace
