@@ -20,67 +20,40 @@ using Words = std::vector<std::string>;
 // A command whose output goes to the place. Where it writes into a directory, `file` is the one
 // there that goes to the place.
 struct Output {
+  Output(const char* name, const std::string& line, const char* file, const char* ending,
+         const std::string& inputs)
+      : name(name), words(words_of(line)), file(file), ending(ending), inputs(words_of(inputs)) {}
   const char* name;
   Words words;  // "PLACE" stands for the place, or for the directory
   std::string file, ending;
   Words inputs;
-  int status = 0;  // where it can write
 };
 
-const Words of_case{"small.toml", "motion.csv"};
-const Words of_study{"small.toml", "motion.csv", "wave.csv", "solve", "version"};
-const Words of_campaign{"small.toml", "motion.csv",  "wave.csv",     "solve",
-                        "version",    "surges.toml", "ledger.jsonl", "ledger.jsonl.head"};
+const std::string of_case = "small.toml motion.csv", of_study = of_case + " wave.csv solve version",
+                  of_campaign = of_study + " surges.toml ledger.jsonl ledger.jsonl.head";
+const std::string gate = "gate ./surges.toml --ledger ledger.jsonl -o PLACE";
 
 const std::vector<Output>& outputs() {
   static const std::vector<Output> all{
-      {"export", {"export", "theory.h5", "--csv", "-o", "PLACE"}, "", "", {"theory.h5"}},
-      {"compare",
-       {"compare", "theory.h5", "mine.h5", "--case", "./small.toml", "--gauge", "right", "--json",
-        "PLACE"},
-       "",
-       "",
-       {"theory.h5", "mine.h5", "small.toml", "motion.csv"}},
+      {"export", "export theory.h5 --csv -o PLACE", "", "", "theory.h5"},
+      {"compare", "compare theory.h5 mine.h5 --case ./small.toml --gauge right --json PLACE", "",
+       "", "theory.h5 mine.h5 small.toml motion.csv"},
       {"import",
-       {"import", "wave.csv", "--format", "csv", "--time", "time", "--series",
-        "elevation@right=elevation@right", "-o", "PLACE"},
-       "",
-       "",
-       {"wave.csv"}},
-      {"surface",
-       {"surface", "particles.csv", "--case", "./small.toml", "--spacing", "0.1", "-o", "PLACE"},
-       "",
-       "",
-       {"particles.csv", "small.toml", "motion.csv"}},
-      {"reference", {"reference", "./small.toml", "-o", "PLACE"}, "", ".csv", of_case},
-      {"run", {"run", "./small.toml", "mine", "-o", "PLACE"}, "", "", of_study},
-      {"run --progress-file",
-       {"run", "./small.toml", "mine", "-o", "new.h5", "--progress-file", "PLACE"},
-       "",
-       "",
+       "import wave.csv --format csv --time time --series elevation@right=elevation@right -o PLACE",
+       "", "", "wave.csv"},
+      {"surface", "surface particles.csv --case ./small.toml --spacing 0.1 -o PLACE", "", "",
+       "particles.csv small.toml motion.csv"},
+      {"reference", "reference ./small.toml -o PLACE", "", ".csv", of_case},
+      {"run", "run ./small.toml mine -o PLACE", "", "", of_study},
+      {"run --progress-file", "run ./small.toml mine -o new.h5 --progress-file PLACE", "", "",
        of_study},
-      {"show", {"show", "./small.toml", "-o", "PLACE"}, "", ".svg", of_case},
-      {"converge",
-       {"converge", "./small.toml", "--family", "copy", "--spacings", "0.04,0.02,0.01", "-o",
-        "PLACE"},
-       "small.toml",
-       "",
-       of_study},
-      {"gate, its page",
-       {"gate", "./surges.toml", "--ledger", "ledger.jsonl", "-o", "PLACE"},
-       "gate/gate.md",
-       "",
-       of_campaign},
-      {"gate, its JUnit",
-       {"gate", "./surges.toml", "--ledger", "ledger.jsonl", "-o", "PLACE"},
-       "gate/junit.xml",
-       "",
-       of_campaign},
-      {"baseline propose",
-       {"baseline", "propose", "./surges.toml", "--ledger", "ledger.jsonl", "-o", "PLACE"},
-       "baseline_proposal.json",
-       "",
-       of_campaign}};
+      {"show", "show ./small.toml -o PLACE", "", ".svg", of_case},
+      {"converge", "converge ./small.toml --family copy --spacings 0.04,0.02,0.01 -o PLACE",
+       "small.toml", "", of_study},
+      {"gate, its page", gate, "gate/gate.md", "", of_campaign},
+      {"gate, its JUnit", gate, "gate/junit.xml", "", of_campaign},
+      {"baseline propose", "baseline propose ./surges.toml --ledger ledger.jsonl -o PLACE",
+       "baseline_proposal.json", "", of_campaign}};
   return all;
 }
 
@@ -107,7 +80,7 @@ class Outputs : public SmallCampaign {
              "type = \"table\"\nfile = \"motion.csv\"\n");
     write_campaign(case_text);
     EXPECT_EQ(run("theory").status, 0);
-    EXPECT_EQ(tool({"export", "theory.h5", "-o", "wave.csv"}).status, 0);
+    EXPECT_EQ(typed("export theory.h5 -o wave.csv").status, 0);
     write_campaign(case_text + program +
                    with(gate_on("mine"), "mode = \"forced\"\nmetric = \"amplitude_error\"",
                         "mode = \"whole\"\nmetric = \"normalised_rms\""));
@@ -118,9 +91,9 @@ class Outputs : public SmallCampaign {
 
   void begin_ledger() const {
     ASSERT_EQ(campaign().status, 0);
-    const Words common{"./surges.toml", "-o", "out", "--ledger", "ledger.jsonl", "--new"};
-    for (Words words : {Words{"baseline", "propose"},
-                        Words{"baseline", "approve", "--who", "A", "--reason", "b"}}) {
+    const Words common = words_of("./surges.toml -o out --ledger ledger.jsonl --new");
+    for (Words words :
+         {Words{"baseline", "propose"}, words_of("baseline approve --who A --reason b")}) {
       words.insert(words.begin() + 2, common.begin(), common.end());
       const Ended ended = tool(words);
       ASSERT_EQ(ended.status, 0) << ended.out << ended.err;
@@ -221,7 +194,7 @@ TEST_F(Outputs, RemoveNoDirectoryOfAUsersFromThatOfTheJobs) {
 }
 
 TEST_F(Outputs, ReplaceNoInputThatLiesInADirectoryOfTheTool) {
-  const Words report{"report", "./out/report/tables/surges.toml", "-o", "out"};
+  const Words report = words_of("report ./out/report/tables/surges.toml -o out");
   fs::create_directories(directory() / "out/report/tables");
   fs::copy_file(directory() / "surges.toml", directory() / "out/report/tables/surges.toml");
   fs::copy_file(directory() / "small.toml", directory() / "out/report/tables/small.toml");
@@ -235,7 +208,7 @@ TEST_F(Outputs, ReplaceNoInputThatLiesInADirectoryOfTheTool) {
   // Before it starts, the program's directory is emptied.
   fs::create_directory(directory() / "new.work");
   fs::rename(directory() / "out/report/tables", directory() / "new.work/mine.external");
-  const Ended ran = tool({"run", "./new.work/mine.external/small.toml", "mine", "-o", "new.h5"});
+  const Ended ran = typed("run ./new.work/mine.external/small.toml mine -o new.h5");
   EXPECT_EQ(ran.status, 2) << ran.out << ran.err;
   EXPECT_TRUE(holds(ran.err, "which lies there, is an input of this command and would be lost"));
   EXPECT_TRUE(fs::exists(directory() / "new.work/mine.external/small.toml"));
@@ -280,11 +253,11 @@ TEST_F(Outputs, FollowTheLinksThatAUserNamesAndNoOthers) {
 // Whoever proposes a change may commit links, and a list, where the outputs of a start go.
 TEST_F(Outputs, LieBehindNoLinkThatWasCommitted) {
   begin_ledger();
-  ASSERT_EQ(tool({"gate", "./surges.toml", "--ledger", "ledger.jsonl", "-o", "out"}).status, 0);
-  const Words gate{"gate", "./surges.toml", "--ledger", "ledger.jsonl"},
-      start{"campaign", "./surges.toml"}, report{"report", "./surges.toml"},
-      propose{"baseline", "propose", "./surges.toml", "--ledger", "ledger.jsonl"},
-      mistake{"gate", "./surges.toml", "--mistake"};
+  ASSERT_EQ(typed("gate ./surges.toml --ledger ledger.jsonl -o out").status, 0);
+  const Words gate = words_of("gate ./surges.toml --ledger ledger.jsonl"),
+              start{"campaign", "./surges.toml"}, report{"report", "./surges.toml"},
+              propose{"baseline", "propose", "./surges.toml", "--ledger", "ledger.jsonl"},
+              mistake{"gate", "./surges.toml", "--mistake"};
   write("mine", "a week of work");
   int count = 0;
   for (const auto& [words, link] : {std::pair{gate, "gate/gate.md"},
@@ -337,7 +310,7 @@ TEST_F(Outputs, LieBehindNoLinkThatWasCommitted) {
 TEST_F(Outputs, ReplaceNoDocumentOfAUsers) {
   begin_ledger();
   const Words end{"-o", "own"};
-  for (Words words : {Words{"gate", "./surges.toml", "--ledger", "ledger.jsonl"},
+  for (Words words : {words_of("gate ./surges.toml --ledger ledger.jsonl"),
                       {"campaign", "./surges.toml"},
                       {"report", "./surges.toml"},
                       {"gate", "./surges.toml", "--mistake"},
@@ -356,7 +329,7 @@ TEST_F(Outputs, ReplaceNoDocumentOfAUsers) {
   fs::create_directory(directory() / "baselines");
   for (const char* file : {"surges.selftest.json", "baselines/surges.selftest.json"})
     write(file, "a week of work");
-  EXPECT_NE(tool({"selftest", "./surges.toml", "-o", "out", "--record"}).status, 0);
+  EXPECT_NE(typed("selftest ./surges.toml -o out --record").status, 0);
   for (const char* file : {"surges.selftest.json", "baselines/surges.selftest.json"})
     EXPECT_EQ(read(file), "a week of work") << file;
 }
@@ -496,7 +469,7 @@ TEST_F(Outputs, OfAFullOrClosedStandardOutputFailEveryCommand) {
       EXPECT_EQ(ended.status, 4) << words[0] << " " << target << ended.err;
       EXPECT_TRUE(holds(ended.err, "standard output: expected a place that takes all"));
     }
-  EXPECT_EQ(tool({"list"}).status, 0);
+  EXPECT_EQ(typed("list").status, 0);
 }
 
 TEST_F(Outputs, WriteAReportAgainWhosePagesWereRemovedAndRefuseAnEditedOne) {
@@ -551,7 +524,7 @@ TEST_F(Outputs, ReplaceNothingOfAUsersThatHasTheNameOfAnOutput) {
     write(std::string("new/jobs/list_1/") + file, "a week of work");
   fs::create_directories(directory() / "new/runs/small");
   write("new/runs/small/theory.log", "a week of work");
-  const Words start{"campaign", "./surges.toml", "-o", "new", "--store", "another"};
+  const Words start = words_of("campaign ./surges.toml -o new --store another");
   const Ended logged = tool(start);
   EXPECT_EQ(logged.status, 4);
   EXPECT_TRUE(holds(logged.err, "theory.log"));
@@ -574,9 +547,7 @@ TEST_F(Outputs, ReplaceNothingOfAUsersThatHasTheNameOfAnOutput) {
 TEST_F(Outputs, OfAStudyReplaceNoTableOfAUsers) {
   fs::create_directory(directory() / "study");
   write("study/motion.csv", "a week of work");
-  EXPECT_EQ(tool({"converge", "./small.toml", "--family", "copy", "--spacings", "0.04,0.02,0.01",
-                  "-o", "study"})
-                .status,
+  EXPECT_EQ(typed("converge ./small.toml --family copy --spacings 0.04,0.02,0.01 -o study").status,
             4);
   EXPECT_EQ(read("study/motion.csv"), "a week of work");
 }

@@ -59,24 +59,6 @@ TEST(BaselineDiff, SaysByHowManyUncertaintiesAMetricHasMoved) {
   EXPECT_EQ(movement_text(moved), "+1 % -> +2 % (2 uncertainties)");
 }
 
-TEST(BaselineDiff, OfTheSameFiguresIsNone) {
-  const RowMovement moved = movement(outcome(0.01, 0.003, 0.05));
-  EXPECT_FALSE(moved.has_changed());
-  EXPECT_EQ(moved.uncertainties, 0);
-  EXPECT_EQ(movement_text(moved), "unmoved");
-}
-
-TEST(BaselineDiff, OfAChangeWithinTheIntervalsIsNone) {
-  EXPECT_FALSE(movement(outcome(0.013, 0.003, 0.05)).has_changed());
-  EXPECT_TRUE(movement(outcome(0.015, 0.003, 0.05)).has_changed());
-}
-
-TEST(BaselineDiff, OfWhatMachinesRoundDifferentlyIsNone) {
-  const Baseline exact{{amplitude_row, {0.01, 0, -0.05, 0.05}}};
-  EXPECT_FALSE(moved_in(exact, campaign(outcome(0.01 + 4e-8, 0, 0.05))).at(0).has_changed());
-  EXPECT_TRUE(moved_in(exact, campaign(outcome(0.01 + 6e-8, 0, 0.05))).at(0).has_changed());
-}
-
 // A limit of a cost times 1e9, and a row on one that is deleted.
 TEST(BaselineDiff, KeepsTheToleranceOfACostAndNotItsTiming) {
   GateOutcome cost = outcome(3, 0.1, 5);
@@ -162,17 +144,29 @@ TEST(BaselineDiff, TellsALimitFromAnImprovementOfTheSameMetric) {
   EXPECT_EQ(row_name("surge", row), amplitude_row + ", below that of coarse");
 }
 
-TEST(BaselineDiff, AMetricWithoutIntervalsThatMovedDidSoBeyondAllUncertainty) {
+TEST(BaselineDiff, IsOfWhatMovedBeyondIntervalsRoundingAndTheTwelfthDigitOfALimit) {
+  const auto has_moved = [](double half_width, double value, double limit) {
+    const Baseline before{{amplitude_row, {0.01, half_width, -0.05, 0.05}}};
+    return moved_in(before, campaign(outcome(value, half_width, limit))).at(0).has_changed();
+  };
+  EXPECT_FALSE(has_moved(0.003, 0.01, 0.05));
+  EXPECT_FALSE(has_moved(0.003, 0.013, 0.05));
+  EXPECT_TRUE(has_moved(0.003, 0.015, 0.05));
+  EXPECT_FALSE(has_moved(0, 0.01 + 4e-8, 0.05));
+  EXPECT_TRUE(has_moved(0, 0.01 + 6e-8, 0.05));
+  EXPECT_FALSE(has_moved(0.003, 0.01, 0.05 * (1 + 1e-12)));
+  EXPECT_FALSE(has_moved(0.003, 0.01, 0.05 * (1 - 1e-12)));
+  EXPECT_TRUE(has_moved(0.003, 0.01, 0.0501));
+  EXPECT_TRUE(has_moved(0.003, 0.01, 0.0499));
+}
+
+TEST(BaselineDiff, WithoutIntervalsIsBeyondAllUncertaintyInAsManyDigitsAsItTakes) {
   const Baseline exact{{amplitude_row, {0.01, 0, -0.05, 0.05}}};
   const auto moved = moved_in(exact, campaign(outcome(0.02, 0, 0.05))).at(0);
   EXPECT_TRUE(std::isinf(moved.uncertainties));
   EXPECT_EQ(movement_text(moved), "+1 % -> +2 % (no interval)");
-}
-
-TEST(BaselineDiff, WritesAsManyDigitsAsTellTheValuesApart) {
-  const Baseline exact{{amplitude_row, {0.01, 0, -0.05, 0.05}}};
-  const auto moved = moved_in(exact, campaign(outcome(0.0100004, 0, 0.05))).at(0);
-  EXPECT_EQ(movement_text(moved), "+1 % -> +1.00004 % (no interval)");
+  EXPECT_EQ(movement_text(moved_in(exact, campaign(outcome(0.0100004, 0, 0.05))).at(0)),
+            "+1 % -> +1.00004 % (no interval)");
 }
 
 TEST(BaselineDiff, LeavesAloneWhatASelectionLeavesOutAndWhatTheUserDoesNotHave) {
@@ -407,13 +401,6 @@ TEST(BaselineDiff, TellsAnIntervalThatShrankOrGrew) {
     write_proposal({"surges", changes}, temporary.path() / "proposal.json");
     EXPECT_EQ(read_proposal(temporary.path() / "proposal.json").changes, changes);
   }
-}
-
-TEST(BaselineDiff, ATwelfthDigitIsNoChange) {
-  EXPECT_FALSE(movement(outcome(0.01, 0.003, 0.05 * (1 + 1e-12))).has_changed());
-  EXPECT_FALSE(movement(outcome(0.01, 0.003, 0.05 * (1 - 1e-12))).has_changed());
-  EXPECT_TRUE(movement(outcome(0.01, 0.003, 0.0501)).has_changed());
-  EXPECT_TRUE(movement(outcome(0.01, 0.003, 0.0499)).has_changed());
 }
 
 TEST(BaselineDiff, ProposesTheTermsOfRowsThatHaveNotChanged) {
