@@ -73,7 +73,13 @@ bool rests_on(const CaseDefinition& definition, const GateRow& row, const RunDef
   if (run.at_input) return rests_on_input_bounds(definition, row);
   const std::string& name = ensemble_name(run);
   if (predicts_inputs_of(definition, row, run)) return true;
-  if (row.candidate == name || row.reference == name || row.improves_on == name) return true;
+  if (row.candidate == name || row.reference == name) return true;
+  if (row.improves_on) {
+    GateRow other = row;
+    other.candidate = *row.improves_on;
+    other.improves_on.reset();
+    if (rests_on(definition, other, run)) return true;
+  }
   if (is_cost(row.metric))
     return work_family(run) == work_family(run_named(definition, row.candidate));
   if (are_repeats(definition, run, row.candidate)) return true;

@@ -72,6 +72,14 @@ TEST(RunSelection, TakesTheRunThatARowImprovesOn) {
   CaseDefinition definition = tank();
   definition.gate[0].improves_on = "coarse";
   EXPECT_EQ(selected({.only = {"tank/fine"}}, definition), (Names{"theory", "fine", "coarse"}));
+  definition.runs.push_back(run_of("record", RecordRun{}));
+  definition.gate[0].reference = "record";
+  definition.refinements.push_back(
+      {"spacing", RefinedNumber::particle_spacing, {"coarse", "idle"}});
+  definition.runs.push_back(run_of("idle", particles(0.04)));
+  EXPECT_EQ(selected({.only = {"tank/fine"}}, definition),
+            (Names{"fine", "coarse", "record", "idle"}))
+      << "its own numerical uncertainty counts too";
 }
 
 TEST(RunSelection, TakesTheRepeatsOfACandidate) {
