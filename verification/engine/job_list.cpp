@@ -12,6 +12,10 @@
 #include "verification/files/foreign/json_text.hpp"
 
 namespace slosh {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, name, command, log_file, progress_file, time_limit, cores,
+                                   expected_time, expected_memory, alone)
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,30 +24,6 @@ using nlohmann::json;
 // The list is CBOR (RFC 8949), for JSON cannot hold paths that are not UTF-8.
 constexpr const char* list_name = "jobs.cbor";
 constexpr const char *started = ".started", *ended = ".ended.json";
-
-json entry_of(const Job& job) {
-  return {{"name", job.name},
-          {"command", job.command},
-          {"log_file", job.log_file.string()},
-          {"progress_file", job.progress_file.string()},
-          {"time_limit_s", job.time_limit},
-          {"cores", job.cores},
-          {"expected_time_s", job.expected_time},
-          {"expected_memory_byte", job.expected_memory},
-          {"alone", job.alone}};
-}
-
-Job job_of(const json& entry) {
-  return {.name = entry.at("name"),
-          .command = entry.at("command"),
-          .log_file = entry.at("log_file").get<std::string>(),
-          .progress_file = entry.at("progress_file").get<std::string>(),
-          .time_limit = entry.at("time_limit_s"),
-          .cores = entry.at("cores"),
-          .expected_time = entry.at("expected_time_s"),
-          .expected_memory = entry.at("expected_memory_byte"),
-          .alone = entry.at("alone")};
-}
 
 // Returns nullopt where the file is absent or cannot be read yet: it is read again later.
 std::optional<json> read_end(const fs::path& file) try {
@@ -63,9 +43,7 @@ double seconds_since(fs::file_time_type begin) {
 
 JobList JobList::create(const fs::path& directory, const std::vector<Job>& jobs) {
   fs::create_directories(directory);
-  json list = json::array();
-  for (const Job& job : jobs) list.push_back(entry_of(job));
-  const std::vector<std::uint8_t> bytes = json::to_cbor(list);
+  const std::vector<std::uint8_t> bytes = json::to_cbor(jobs);
   replace_file(directory / list_name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
                Durability::process_crash);
   return {directory, jobs};
@@ -74,9 +52,7 @@ JobList JobList::create(const fs::path& directory, const std::vector<Job>& jobs)
 JobList JobList::open(const fs::path& directory) {
   const fs::path file = directory / list_name;
   try {
-    std::vector<Job> jobs;
-    for (const json& entry : json::from_cbor(read_bytes(file))) jobs.push_back(job_of(entry));
-    return {directory, std::move(jobs)};
+    return {directory, json::from_cbor(read_bytes(file)).get<std::vector<Job>>()};
   } catch (const json::exception& error) {
     throw std::runtime_error(
         fmt::format("{}: expected a list of jobs: {}", file.string(), error.what()));
