@@ -112,7 +112,7 @@ paper = "another": expected one of li2010 | zhao2021
     EXPECT_TRUE(begins(complaint(head + list), message));
   };
   refused("cases = [\n\"li2010_small_amplitude\",\n\"li2010_small_amplitude\"]\n",
-         "trial.toml:7: case = \"li2010_small_amplitude\": expected each case once");
+          "trial.toml:7: case = \"li2010_small_amplitude\": expected each case once");
   refused("cases = [\"no.toml\"]\n", "trial.toml:5: case = \"no.toml\": expected a file");
   refused("cases = [", "trial.toml:5:");
 }
