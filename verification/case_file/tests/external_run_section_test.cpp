@@ -136,6 +136,19 @@ TEST(ExternalRunSection, OfAMethodDiffersInItsSpacingAlone) {
         << key;
 }
 
+// Of such a series the first value is 0 whatever the program prints.
+TEST(ExternalRunSection, ThatCountsFromItsFirstValueIsNotJudgedByIt) {
+  expect_refusals(text_with(command + series + "datum = \"first\"\n") +
+                      "[[gate]]\ncandidate = \"mine\"\nquantity = \"elevation@right\"\n"
+                      "metric = \"initial_value\"\nlimit = 0.001\nunit = \"m\"\nreason = \"r\"\n"
+                      "source = \"s\"\n",
+                  R"(
+-> gate.metric = "initial_value": expected another metric: elevation@right of mine counts from its
+  first value
+run.series.datum is missing: accepted
+)");
+}
+
 TEST(ExternalRunSection, OfAMethodMayHaveSettingsAndDirectoriesOfItsOwn) {
   const std::vector<std::pair<std::string, std::string>> pairs{
       {"command = [\"./solve\", \"{particle_spacing_m}\"]\n",
