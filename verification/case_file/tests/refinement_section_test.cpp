@@ -48,8 +48,8 @@ TEST(RefinementSection, ReadsAPathOfRunsThatAreAlikeButForTheirSpacing) {
 std::string external(const std::string& name, const std::string& method,
                      const std::string& spacing) {
   return "[[run]]\nname = \"" + name +
-         "\"\nsolver = \"external\"\ncommand = [\"true\"]\nmethod = \"" + method +
-         "\"\nparticle_spacing_m = " + spacing +
+         "\"\nsolver = \"external\"\ncommand = [\"true\", \"{particle_spacing_m}\"]\nmethod = \"" +
+         method + "\"\nparticle_spacing_m = " + spacing +
          "\n[[run.series]]\nquantity = \"elevation@right\"\nfile = \"a.csv\"\nformat = \"csv\"\n"
          "column = \"eta\"\ntime_column = \"t\"\n";
 }
