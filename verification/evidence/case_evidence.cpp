@@ -88,15 +88,6 @@ std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
   return modes_of(definition, definition.natural_modes);
 }
 
-TimeWindow compared_window(const CaseDefinition& definition, const std::string& reference) {
-  TimeWindow window{definition.window_begin, definition.window_end};
-  if (const RecordRun* record = record_named(definition, reference)) {
-    window.begin = std::max(window.begin, record->time.front());
-    window.end = std::min(window.end, record->time.back());
-  }
-  return window;
-}
-
 NeededModes modes_needed_by(const std::vector<GateRow>& rows) {
   NeededModes needed{Detail::spectrum_alone};
   bool of_all = false;

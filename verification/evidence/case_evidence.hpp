@@ -28,9 +28,6 @@ std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count);
 // Those of them that the case's comparisons fit.
 std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition);
 
-// The case's window, or the part of it that a record covers. A candidate must cover it all.
-TimeWindow compared_window(const CaseDefinition& definition, const std::string& reference);
-
 // Role, run, quantity, window's begin and end, number of modes: a series is prepared once for all
 // its comparisons.
 using PreparedKey = std::tuple<std::string, std::string, std::string, double, double, std::size_t>;

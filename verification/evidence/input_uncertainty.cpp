@@ -14,7 +14,6 @@
 #include "verification/case/motion.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/evidence/case_evidence.hpp"
 #include "verification/evidence/refinement.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/runs/run_case.hpp"
