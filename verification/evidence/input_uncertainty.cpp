@@ -161,6 +161,7 @@ Response response_of(Metric metric) {
 // The series of the prediction as the case is, and with the input changed.
 struct Prediction {
   const TimeSeries &own, &changed;
+  double before;  // unchanged_value()
 };
 
 double swing(const TimeSeries& cut) { return rms(without_mean(cut.value)); }
@@ -194,16 +195,28 @@ struct EffectMeasures {
   }
 };
 
+// The metric before the input changes: of the prediction, or of the candidate that it moves. A
+// distance has none.
+double unchanged_value(const GateRow& row, const TimeSeries& own, const EffectMeasures& by) {
+  switch (response_of(row.metric)) {
+    case Response::distance:
+      return 0;
+    case Response::share_outside:
+      return by.with(row, by.runs.results.at(row.candidate).at(row.quantity));
+    default:
+      return by.with(row, own);
+  }
+}
+
 // Of one changed prediction; NaN where it has no such metric.
 InputEffect effect_of(const GateRow& row, const Prediction& prediction, const EffectMeasures& by) {
   InputEffect effect;
   switch (response_of(row.metric)) {
     case Response::ratio:
-      effect.of_wave =
-          (1 + by.with(row, prediction.changed)) / (1 + by.with(row, prediction.own)) - 1;
+      effect.of_wave = (1 + by.with(row, prediction.changed)) / (1 + prediction.before) - 1;
       break;
     case Response::difference:
-      effect.of_wave = by.with(row, prediction.changed) - by.with(row, prediction.own);
+      effect.of_wave = by.with(row, prediction.changed) - prediction.before;
       if (is_angle(row.metric)) effect.of_wave = std::remainder(effect.of_wave, 360);
       break;
     case Response::distance: {
@@ -220,8 +233,7 @@ InputEffect effect_of(const GateRow& row, const Prediction& prediction, const Ef
     case Response::share_outside: {
       const TimeSeries& candidate = by.runs.results.at(row.candidate).at(row.quantity);
       const TimeWindow window = compared_window(by.definition, row.reference);
-      effect.of_wave =
-          by.with(row, moved_by(candidate, prediction, window)) - by.with(row, candidate);
+      effect.of_wave = by.with(row, moved_by(candidate, prediction, window)) - prediction.before;
       break;
     }
   }
@@ -265,9 +277,10 @@ InputEffect largest_effect(const InputUncertainty& one, const GateRow& row,
   require_seen(definition, one, row, bounds, own);
   std::vector<const RunResult*> all{&bounds.lower, &bounds.upper};
   for (const RunResult& between : bounds.between) all.push_back(&between);
+  const double before = unchanged_value(row, own, measures);
   InputEffect largest;
   for (const RunResult* changed : all) {
-    const InputEffect effect = effect_of(row, {own, changed->at(row.quantity)}, measures);
+    const InputEffect effect = effect_of(row, {own, changed->at(row.quantity), before}, measures);
     if (!std::isfinite(effect.of_wave) || !std::isfinite(effect.of_mean))
       throw ComparisonError("the prediction has no such metric");
     largest.of_wave = std::max(largest.of_wave, effect.of_wave);

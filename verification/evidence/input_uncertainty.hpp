@@ -3,8 +3,8 @@
 //   u_input^2 = sum over inputs of max over s of |m(x + s u) - m(x)|^2
 // m is measured with the candidate. A run is not repeated with other inputs: its answer c is taken
 // to follow a prediction p, by theory or by a coarse run, as c(x + s u) = c p(x + s u) / p(x), in
-// each mode by amplitude, phase, frequency and decay. Neither theory that is half as high as the
-// candidate nor one that lags behind it then changes what is found:
+// each mode by amplitude, phase, frequency and decay. So the result is the same where the
+// prediction is half as high as the candidate or lags behind it:
 //   an error of a ratio c / r   (1 + m) |p(x + s u) / p(x) - 1|
 //   a difference c - r          |p(x + s u) - p(x)|
 //   a distance                  that of p(x + s u) from p(x), times the candidate's deviation from

@@ -313,7 +313,7 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
         lowest && (row.metric != Metric::largest_magnitude ||
                    std::abs(lowest->value) + lowest->hidden <= largest_magnitude(series)))
       lowest.reset();
-    std::ranges::move(flat_doubts(readings), std::back_inserter(doubts));
+    std::ranges::move(doubts_of_readings(readings), std::back_inserter(doubts));
     if (readings.limits.step && are_coarse_for(row, readings, 0))
       doubts.push_back(step_doubt(readings));
   }

@@ -33,10 +33,10 @@ struct SampleDoubts {
 inline constexpr double least_coverage = 0.5;
 
 // Tells, of the worst of an ensemble's pairs, unseen_text() of a metric of the whole histories (the
-// modes of each series are fitted to its own samples), flat_doubts(), steps of more than a tenth of
-// the row's bounds, bounds that a candidate of nothing meets, and the share of the window that the
-// samples cover where that is not all; and the same of a run to improve on. Throws what measured()
-// throws, and ComparisonError where they cover less than least_coverage.
+// modes of each series are fitted to its own samples), doubts_of_readings(), steps of more than a
+// tenth of the row's bounds, bounds that a candidate of nothing meets, and the share of the window
+// that the samples cover where that is not all; and the same of a run to improve on. Throws what
+// measured() throws, and ComparisonError where they cover less than least_coverage.
 SampleDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence);
 
 // Whether the row is judged on the mean or the median over an ensemble, its candidate or its

@@ -191,7 +191,8 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
   if (!reference.constant) {
     for (const PreparedSeries* one : {&reference, &candidate}) {
       const PreparedSeries& other = one == &reference ? candidate : reference;
-      std::ranges::move(flat_doubts(resting_with(*one, other)), std::back_inserter(result.doubts));
+      std::ranges::move(doubts_of_readings(resting_with(*one, other)),
+                        std::back_inserter(result.doubts));
       if (one->readings.limits.step) result.in_steps.push_back(one->readings);
     }
   }

@@ -26,7 +26,7 @@ void add_flat(const SensorReadings& of, const FlatExtreme& flat, const char* whi
 
 }  // namespace
 
-std::vector<std::string> flat_doubts(const SensorReadings& of) {
+std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
   std::vector<std::string> doubts;
   const auto& [range, step, highest, lowest, sparse] = of.limits;
   // A pressure rests at its lowest value alone.

@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "verification/series/sample_moments.hpp"
+#include "verification/series/windowed_series.hpp"
+
 namespace slosh {
 namespace {
 
@@ -100,13 +103,12 @@ std::optional<Top> top_of(const TimeSeries& series, double band, std::size_t fir
   const double begin = (time[first - 1] + time[first]) / 2, end = (time[last] + time[last + 1]) / 2,
                half = (end - begin) / 2;
   if (begin - half <= time.front() || end + half >= time.back()) return std::nullopt;
-  std::vector<double> inside(series.value.begin() + static_cast<std::ptrdiff_t>(first),
-                             series.value.begin() + static_cast<std::ptrdiff_t>(last + 1));
-  const auto middle = inside.begin() + static_cast<std::ptrdiff_t>(inside.size() / 2);
-  std::nth_element(inside.begin(), middle, inside.end());
-  const double drop = std::min(std::abs(value_at(series, begin - half) - *middle),
-                               std::abs(value_at(series, end + half) - *middle));
-  Top top{{*middle, begin, end, drop / 3}, 0, 0};
+  const std::vector<double> inside(series.value.begin() + static_cast<std::ptrdiff_t>(first),
+                                   series.value.begin() + static_cast<std::ptrdiff_t>(last + 1));
+  const double middle = median(inside);
+  const double drop = std::min(std::abs(value_at(series, begin - half) - middle),
+                               std::abs(value_at(series, end + half) - middle));
+  Top top{{middle, begin, end, drop / 3}, 0, 0};
   fit_parabola(series, first, last, band, top);
   return top;
 }
@@ -139,12 +141,6 @@ std::optional<FlatExtreme> flat_extreme(const TimeSeries& series, double extreme
   return std::nullopt;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // The samples from which on the values move by another slope, and by how much it differs.
 struct Knots {
   std::vector<double> interval, turn;
@@ -172,16 +168,13 @@ Knots knots_of(const TimeSeries& series, double range, bool held) {
 }
 
 std::optional<SparseReadings> sparse_readings(const TimeSeries& series, double range) {
-  std::vector<double> intervals;
-  for (std::size_t i = 1; i < series.time.size(); ++i)
-    intervals.push_back(series.time[i] - series.time[i - 1]);
   for (const bool held : {true, false}) {
     const Knots knots = knots_of(series, range, held);
     if (knots.interval.size() < fewest_readings) continue;
     const double interval = median(knots.interval);
     const double turn = median(knots.turn);
     const double hidden = held ? turn / 2 : turn * interval / 8;
-    if (interval >= 1.5 * median(intervals) && hidden >= least_hidden * range)
+    if (interval >= 1.5 * median_sample_interval(series.time) && hidden >= least_hidden * range)
       return SparseReadings{held, interval, hidden};
   }
   return std::nullopt;
