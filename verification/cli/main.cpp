@@ -16,6 +16,7 @@
 #include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/foreign/legible_text.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/input/case_file_error.hpp"
@@ -49,8 +50,14 @@ void open_closed_streams() {
       ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
+void tell_of_set_aside() {
+  for (const std::string& one : slosh::told_of_set_aside())
+    std::cerr << "slosh: " << slosh::legible_message(one) << "\n";
+}
+
 // Returns the exit status of a command, once all that it has printed is written.
 int printed(int status) {
+  tell_of_set_aside();
   std::cout.flush();
   if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
   std::cerr << "slosh: " << slosh::not_printed << "\n";
@@ -107,6 +114,7 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   const auto fail = [](const std::exception& error, int status) {
+    tell_of_set_aside();
     std::cerr << "slosh: " << slosh::legible_message(error.what()) << "\n";
     return status;
   };

@@ -52,7 +52,7 @@ std::vector<JobState> launch(const std::vector<Job>& jobs, const LaunchSettings&
   remove_lists(settings.directory);
   const fs::path place = fresh_list(settings.directory);
   const OpenOutputs outputs(outputs_of(jobs, place));
-  // A job that never starts must not show an old log.
+  // A job that never starts must not show an old log. What is foreign is set aside already.
   for (const Job& job : jobs) fs::remove(job.log_file);
   const JobList list = JobList::create(place, jobs);
   return settings.engine == Engine::slurm ? run_by_slurm(list, settings, stop, observe)
