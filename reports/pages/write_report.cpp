@@ -50,7 +50,11 @@ void replace_pages(const fs::path& complete, const fs::path& target) {
   const std::set<fs::path> last{"index.html", "results.json"};
   for (const bool is_last : {false, true})
     for (const fs::path& file : files)
-      if (last.contains(file) == is_last) replace_own(target / file, read_bytes(complete / file));
+      if (last.contains(file) == is_last) {
+        const fs::path place = target / file, directory = place.parent_path();
+        if (fs::is_regular_file(fs::symlink_status(directory))) make_room(directory);
+        replace_own(place, read_bytes(complete / file));
+      }
   for (const fs::path& old : files_in(target))
     if (!std::binary_search(files.begin(), files.end(), old) && old.filename() != ".slosh" &&
         !foreign_at(target / old))

@@ -23,4 +23,9 @@ struct EngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Its program is not installed.
+struct MissingEngine : EngineError {
+  using EngineError::EngineError;
+};
+
 }  // namespace slosh

@@ -52,7 +52,8 @@ std::string ninja_file(const std::vector<Job>& jobs, int at_once) {
 std::vector<JobState> run_by_ninja(const JobList& list, const LaunchSettings& settings,
                                    const std::atomic<bool>& stop, const ObserveJobs& observe) {
   const auto program = boost::process::search_path("ninja");
-  if (program.empty()) throw EngineError("ninja is not installed: it runs the jobs of a campaign");
+  if (program.empty())
+    throw MissingEngine("ninja is not installed: it runs the jobs of a campaign");
   replace_file(list.directory() / "build.ninja", ninja_file(list.jobs(), settings.at_once),
                Durability::process_crash);
   ChildProcess ninja({program.string(), "-k", "0", "-j", std::to_string(settings.at_once)},

@@ -36,7 +36,7 @@ SlurmAnswer ask_slurm(const std::string& program, const std::vector<std::string>
                       const std::map<std::string, std::string>& more) {
   const auto path = bp::search_path(program);
   if (path.empty())
-    throw EngineError(program + " is not installed: --launcher slurm needs Slurm's commands");
+    throw MissingEngine(program + " is not installed: --launcher slurm needs Slurm's commands");
   bp::environment environment = boost::this_process::environment();
   for (const auto& [name, value] : more) environment[name] = value;
   boost::asio::io_context service;

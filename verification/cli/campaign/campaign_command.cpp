@@ -59,12 +59,14 @@ void leave_report(const AssessedCampaign& assessed, const CampaignOptions& optio
 
 // Prints each row and leaves the report.
 int judge_campaign(RequestedCampaign campaign, const CampaignOptions& options,
-                   const Installation& installation, const std::atomic<bool>& stop) {
+                   const Installation& installation, const std::atomic<bool>& stop,
+                   EarlierVerdicts& earlier) {
   const fs::path place = campaign.place;
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
+  const int status = exit_status(assessed.cases, assessed.problems);
+  earlier.judged(status);
   std::cerr << complaints(assessed.cases, assessed.problems);
   print_lines(gate_lines(assessed.cases, assessed.problems));
-  const int status = exit_status(assessed.cases, assessed.problems);
   leave_report(assessed, options, name_or_path(assessed.definition.file, installation.campaigns),
                status);
   std::vector<std::string> lines{fmt::format("{}: {}{}", headline_word(status),
@@ -88,13 +90,14 @@ int plan_campaign(const CampaignOptions& options, const Installation& installati
 int run_campaign(const CampaignOptions& options, const Installation& installation,
                  const std::atomic<bool>& stop) {
   if (options.dry_run) return plan_campaign(options, installation);
-  return superseding(options, installation, [&](EarlierVerdicts& earlier) {
+  return superseding(options, installation, stop, [&](EarlierVerdicts& earlier) {
     RequestedCampaign campaign = requested(options, installation);
     require_possible(options, campaign.settings);
-    earlier.begin({"report"});
-    const int status = judge_campaign(std::move(campaign), options, installation, stop);
-    earlier.end("gate", status);
-    return requested_exit(status, options);
+    earlier.begin(written_pages);
+    const int status = judge_campaign(std::move(campaign), options, installation, stop, earlier),
+              asked = requested_exit(status, options);
+    earlier.end("gate", asked == exit_pass ? asked : status);
+    return asked;
   });
 }
 
@@ -141,7 +144,7 @@ void add_campaign_command(const CommandTree& tree) {
        "Does the same with the existing results; starts no solver",
        {"./slosh report " + std::string(example_run)}},
       [judge, tree](const CampaignOptions& options) {
-        if (options.all) return report_of_all(options, tree.installation);
+        if (options.all) return report_of_all(options, tree.installation, tree.stop);
         if (options.campaign.empty())
           throw CaseFileError("name: expected a campaign, or --all for all that have a report");
         return judge(options, false);

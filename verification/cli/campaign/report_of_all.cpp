@@ -49,14 +49,15 @@ int write_report_of_all(const CampaignOptions& options, const Installation& inst
           fmt::format("{}: {}; `slosh report NAME` writes the campaign's report anew\n",
                       file.string(), error.what()));
     }
-  if (campaigns.empty())
+  if (campaigns.empty() && left_out.empty())
     throw CaseFileError(fmt::format(
         "--all: expected reports of campaigns, NAME/report/results.json, in {}; `slosh campaign "
         "NAME` leaves one",
         directory.string()));
-  earlier.begin({"report"});
+  earlier.begin(written_pages);
   reports::Report report = report_of_campaigns(campaigns, left_out);
   const int status = exit_status(campaigns, left_out), asked = requested_exit(status, options);
+  earlier.judged(status);
   if (asked != status) report.results_json = with_exit_status(asked, report.results_json);
   reports::write_report(report, directory / "report", {.threads = sph::usable_cores()});
   print_lines(fmt::format("{}: {}\nreport: {}\n", headline_word(status), report.verdict,
@@ -66,8 +67,9 @@ int write_report_of_all(const CampaignOptions& options, const Installation& inst
 
 }  // namespace
 
-int report_of_all(const CampaignOptions& options, const Installation& installation) {
-  return superseding(options, installation, [&](EarlierVerdicts& earlier) {
+int report_of_all(const CampaignOptions& options, const Installation& installation,
+                  const std::atomic<bool>& stop) {
+  return superseding(options, installation, stop, [&](EarlierVerdicts& earlier) {
     return write_report_of_all(options, installation, earlier);
   });
 }
