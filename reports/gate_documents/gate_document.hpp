@@ -38,7 +38,7 @@ struct GateDocument {
   std::string title, verdict;
   std::vector<GateEntry> entries;
   std::string basis = {};  // what the rows are based on; may be empty
-  int exit_status = 0;     // that of the verdict, whatever the user replaces it by
+  int exit_status = 0;     // that of the process
   // Whether inconclusive rows leave the exit status at 0: JUnit then calls them skipped.
   bool inconclusive_passes = false;
 };
@@ -49,14 +49,15 @@ std::vector<const GateEntry*> worst_first(const GateDocument& document);
 
 // Returns JUnit XML: testsuites / testsuite (a group) / testcase, with value, uncertainty and
 // tolerance as properties. Violated, inconclusive and lost rows are failures; rows that were not
-// compared or whose solver failed are errors.
+// compared or whose solver failed are errors. It ends as gate_markdown() does.
 std::string junit_xml(const GateDocument& document);
 
 // Returns a table, worst first, of all rows except those that pass unchanged and those that are
 // skipped, which are counted. It ends with a comment that holds the exit status.
 std::string gate_markdown(const GateDocument& document);
 
-// Returns the exit status that gate_markdown() has written; nullopt for another text.
-std::optional<int> exit_status_in(const std::string& markdown);
+// The comment at the end of both, and the exit status in it; nullopt for another text.
+std::string status_comment(const GateDocument& document);
+std::optional<int> exit_status_in(const std::string& text);
 
 }  // namespace slosh::reports

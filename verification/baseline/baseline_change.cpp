@@ -92,7 +92,7 @@ Proposal read_proposal(const fs::path& file) {
     const Json content = parsed_json<Json>(read_bytes(file));
     return {content.at("campaign"), changes_from(content.at("changes"))};
   } catch (const Json::exception& error) {
-    throw LedgerError(file.string() + ": not a proposal: " + error.what());
+    throw LedgerError(file.string() + ": not a proposal: " + words_of(error));
   } catch (const fs::filesystem_error& error) {
     throw LedgerError(error.what());
   }

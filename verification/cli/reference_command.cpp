@@ -81,6 +81,7 @@ int leave_references(const ReferenceOptions& options, const Installation& instal
   theories.result.provenance.merge(provenance("./slosh reference " +
                                               name_or_path(definition.file, installation.cases) +
                                               " --output " + options.output.filename().string()));
+  output.make_room();
   if (table)
     replace_file(options.output, theory_csv(definition, theories), Durability::process_crash);
   else

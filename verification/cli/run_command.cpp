@@ -204,6 +204,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
   // For a run in the store the campaign judges whether it reaches the end of the comparison window.
   if (options.timing) {
     time_run(store, key, options.longest, compute);
+    if (fs::is_directory(settings.work_directory)) list_all_in(settings.work_directory);
     return exit_pass;
   }
   if (!options.store.empty()) {
@@ -218,6 +219,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
   const OpenOutputs output(file, "run");
   const bool is_attempt = is_as_a_campaign_computes(options) && options.time_limit == 0;
   const RunResult result = is_attempt ? attempted(run, usual, key, compute) : compute();
+  output.make_room();
   const int status = leave_result(result, file, settings, definition, run);
   if (is_as_a_campaign_computes(options)) keep_copy(usual, key, result);
   return status;

@@ -31,6 +31,11 @@ struct EngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Its program is not installed.
+struct MissingEngine : EngineError {
+  using EngineError::EngineError;
+};
+
 // A command that runs without a shell: its first element is the program (a path), and its standard
 // output and error go to the log.
 struct Job {

@@ -25,10 +25,16 @@ using nlohmann::json;
 constexpr const char* list_name = "jobs.cbor";
 constexpr const char *started = ".started", *ended = ".ended.json";
 
-// Returns nullopt where the file is absent or cannot be read yet: it is read again later.
-std::optional<json> read_end(const fs::path& file) try {
+// Returns the state with the end that the file tells; nullopt where it is absent, cannot be read
+// yet or is none, as of a program that has written there: it is read again later.
+std::optional<JobState> ended_state(const fs::path& file, JobState state) try {
   if (!fs::exists(file)) return std::nullopt;
-  return parsed_json<json>(read_bytes(file));
+  const json entry = parsed_json<json>(read_bytes(file));
+  state.phase = static_cast<JobPhase>(entry.at("phase").get<int>());
+  state.status = entry.at("status");
+  state.message = entry.at("message");
+  state.wall_time = entry.at("wall_time_s");
+  return state;
 } catch (const fs::filesystem_error&) {
   return std::nullopt;
 } catch (const json::exception&) {
@@ -79,12 +85,8 @@ void JobList::mark_ended(std::size_t index, const JobState& state) const {
 bool JobList::update(std::size_t index, JobState& state) const {
   const JobPhase before = state.phase;
   std::error_code none;
-  if (const auto end = read_end(file(index, ended))) {
-    const json& entry = *end;
-    state.phase = static_cast<JobPhase>(entry.at("phase").get<int>());
-    state.status = entry.at("status");
-    state.message = entry.at("message");
-    state.wall_time = entry.at("wall_time_s");
+  if (auto end = ended_state(file(index, ended), state)) {
+    state = std::move(*end);
   } else if (const auto begin = fs::last_write_time(file(index, started), none); !none) {
     state.phase = JobPhase::running;
     state.wall_time = seconds_since(begin);

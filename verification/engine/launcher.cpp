@@ -83,7 +83,8 @@ std::string ninja_file(const std::vector<Job>& jobs, int at_once) {
 std::vector<JobState> run_by_ninja(const JobList& list, const LaunchSettings& settings,
                                    const std::atomic<bool>& stop, const ObserveJobs& observe) {
   const std::filesystem::path program = program_on_path("ninja");
-  if (program.empty()) throw EngineError("ninja is not installed: it runs the jobs of a campaign");
+  if (program.empty())
+    throw MissingEngine("ninja is not installed: it runs the jobs of a campaign");
   replace_file(list.directory() / "build.ninja", ninja_file(list.jobs(), settings.at_once),
                Durability::process_crash);
   ChildProcess ninja({program.string(), "-k", "0", "-j", std::to_string(settings.at_once)},
@@ -109,7 +110,7 @@ std::vector<JobState> launch(const std::vector<Job>& jobs, const LaunchSettings&
   remove_lists(settings.directory);
   const fs::path place = fresh_list(settings.directory);
   const OpenOutputs outputs(outputs_of(jobs, place));
-  // A job that never starts must not show an old log.
+  // A job that never starts must not show an old log. What is foreign is set aside already.
   for (const Job& job : jobs) fs::remove(job.log_file);
   const JobList list = JobList::create(place, jobs);
   return settings.engine == Engine::slurm ? run_by_slurm(list, settings, stop, observe)

@@ -68,7 +68,7 @@ SlurmAnswer ask_slurm(const std::string& program, const std::vector<std::string>
   constexpr std::chrono::seconds time_limit{60};
   const std::filesystem::path path = program_on_path(program);
   if (path.empty())
-    throw EngineError(program + " is not installed: --launcher slurm needs Slurm's commands");
+    throw MissingEngine(program + " is not installed: --launcher slurm needs Slurm's commands");
   std::vector<std::string> command{path.string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   ChildProcess child(command, {.splits_errors = true, .environment = more});

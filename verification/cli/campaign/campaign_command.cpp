@@ -62,14 +62,15 @@ int write_report_of_all(const CampaignOptions& options, const Installation& inst
           fmt::format("{}: {}; `slosh report NAME` writes the campaign's report anew\n",
                       file.string(), error.what()));
     }
-  if (campaigns.empty())
+  if (campaigns.empty() && left_out.empty())
     throw CaseFileError(fmt::format(
         "--all: expected reports of campaigns, NAME/report/results.json, in {}; `slosh campaign "
         "NAME` leaves one",
         directory.string()));
-  earlier.begin({"report"});
+  earlier.begin(written_pages);
   reports::Report report = report_of_campaigns(campaigns, left_out);
   const int status = exit_status(campaigns, left_out), asked = requested_exit(status, options);
+  earlier.judged(status);
   if (asked != status) report.results_json = with_exit_status(asked, report.results_json);
   reports::write_report(report, directory / "report", {.threads = sph::usable_cores()});
   print_lines(fmt::format("{}: {}\nreport: {}\n", headline_word(status), report.verdict,
@@ -80,8 +81,9 @@ int write_report_of_all(const CampaignOptions& options, const Installation& inst
 // Reads DIR/NAME/report/results.json of each campaign, DIR being the options' output or else
 // build/campaigns, and leaves DIR/report. Returns the worst of their exit statuses. Throws
 // CaseFileError where there is no such file.
-int report_of_all(const CampaignOptions& options, const Installation& installation) {
-  return superseding(options, installation, [&](EarlierVerdicts& earlier) {
+int report_of_all(const CampaignOptions& options, const Installation& installation,
+                  const std::atomic<bool>& stop) {
+  return superseding(options, installation, stop, [&](EarlierVerdicts& earlier) {
     return write_report_of_all(options, installation, earlier);
   });
 }
@@ -116,12 +118,14 @@ void leave_report(const AssessedCampaign& assessed, const CampaignOptions& optio
 
 // Prints each row and leaves the report.
 int judge_campaign(RequestedCampaign campaign, const CampaignOptions& options,
-                   const Installation& installation, const std::atomic<bool>& stop) {
+                   const Installation& installation, const std::atomic<bool>& stop,
+                   EarlierVerdicts& earlier) {
   const fs::path place = campaign.place;
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
+  const int status = exit_status(assessed.cases, assessed.problems);
+  earlier.judged(status);
   std::cerr << complaints(assessed.cases, assessed.problems);
   print_lines(gate_lines(assessed.cases, assessed.problems));
-  const int status = exit_status(assessed.cases, assessed.problems);
   leave_report(assessed, options, name_or_path(assessed.definition.file, installation.campaigns),
                status);
   std::vector<std::string> lines{fmt::format("{}: {}{}", headline_word(status),
@@ -145,13 +149,14 @@ int plan_campaign(const CampaignOptions& options, const Installation& installati
 int run_campaign(const CampaignOptions& options, const Installation& installation,
                  const std::atomic<bool>& stop) {
   if (options.dry_run) return plan_campaign(options, installation);
-  return superseding(options, installation, [&](EarlierVerdicts& earlier) {
+  return superseding(options, installation, stop, [&](EarlierVerdicts& earlier) {
     RequestedCampaign campaign = requested(options, installation);
     require_possible(options, campaign.settings);
-    earlier.begin({"report"});
-    const int status = judge_campaign(std::move(campaign), options, installation, stop);
-    earlier.end("gate", status);
-    return requested_exit(status, options);
+    earlier.begin(written_pages);
+    const int status = judge_campaign(std::move(campaign), options, installation, stop, earlier),
+              asked = requested_exit(status, options);
+    earlier.end("gate", asked == exit_pass ? asked : status);
+    return asked;
   });
 }
 
@@ -198,7 +203,7 @@ void add_campaign_command(const CommandTree& tree) {
        "Does the same with the existing results; starts no solver",
        {"./slosh report " + std::string(example_run)}},
       [judge, tree](const CampaignOptions& options) {
-        if (options.all) return report_of_all(options, tree.installation);
+        if (options.all) return report_of_all(options, tree.installation, tree.stop);
         if (options.campaign.empty())
           throw CaseFileError("name: expected a campaign, or --all for all that have a report");
         return judge(options, false);

@@ -53,6 +53,18 @@ TEST(JobList, TellsHowFarAJobIs) {
   EXPECT_FALSE(list.update(states)) << "an end is told once";
 }
 
+// A program may write there.
+TEST(JobList, TakesNoEndThatIsNone) {
+  const TemporaryDirectory temporary;
+  const JobList list = JobList::create(temporary.path(), {{.name = "a", .command = {"true"}}});
+  for (const char* text : {"{}", "[]", "{\"phase\": \"x\"}", "{"}) {
+    std::ofstream(temporary.path() / "0.ended.json") << text;
+    std::vector<JobState> states = list.initial_states();
+    EXPECT_NO_THROW(list.update(states)) << text;
+    EXPECT_FALSE(has_ended(states[0])) << text;
+  }
+}
+
 TEST(JobList, KeepsPathsThatAreNoUtf8) {
   const TemporaryDirectory directory;
   JobList::create(directory.path(), {{.name = "a", .command = {"l\xe4tin"}, .log_file = "log"}});
