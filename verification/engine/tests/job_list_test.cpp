@@ -56,7 +56,8 @@ TEST(JobList, TellsHowFarAJobIs) {
 // A program may write there.
 TEST(JobList, TakesNoEndThatIsNone) {
   const TemporaryDirectory temporary;
-  const JobList list = JobList::create(temporary.path(), {{.name = "a", .command = {"true"}}});
+  const JobList list =
+      JobList::create(temporary.path(), {{.name = "a", .command = {"true"}, .log_file = "log"}});
   for (const char* text : {"{}", "[]", "{\"phase\": \"x\"}", "{"}) {
     std::ofstream(temporary.path() / "0.ended.json") << text;
     std::vector<JobState> states = list.initial_states();
