@@ -9,8 +9,6 @@
 namespace slosh::reference {
 namespace {
 
-double sinc(double x) { return x == 0 ? 1 : std::sin(x) / x; }
-
 // Advances one mode's state over an interval of a given length.
 struct Propagator {
   double natural_frequency;
@@ -61,6 +59,8 @@ std::vector<double> checked_times(const SampledMotion& motion) {
 
 }  // namespace
 
+// By the half angles of the mode and of the motion, so that a mode costs one sine and one cosine.
+// The beat's own angle is taken where it is small: there the difference would cancel.
 ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t) {
   const double omega = motion.angular_frequency;
   const double omega_n = mode.natural_frequency;
@@ -68,16 +68,22 @@ ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t) {
   const double sigma = omega_n + omega;
   const double of_sine = force / sigma * std::cos(motion.phase),
                of_cosine = force / sigma * std::sin(motion.phase);
-  const double beat = t * sinc((omega_n - omega) * t / 2);
-  const double fast_sine = std::sin(sigma * t / 2), fast_cosine = std::cos(sigma * t / 2);
+  const double sine = std::sin(omega * t / 2), cosine = std::cos(omega * t / 2),
+               mode_sine = std::sin(omega_n * t / 2), mode_cosine = std::cos(omega_n * t / 2);
+  const double fast_sine = mode_sine * cosine + mode_cosine * sine,
+               fast_cosine = mode_cosine * cosine - mode_sine * sine;
+  const double slow = (omega_n - omega) * t / 2,
+               slow_sine =
+                   std::abs(slow) < 0.1 ? std::sin(slow) : mode_sine * cosine - mode_cosine * sine,
+               slow_cosine = mode_cosine * cosine + mode_sine * sine;
+  const double beat = slow == 0 ? t : t * slow_sine / slow;
 
-  const double elevation = mode.initial_rate / omega_n * std::sin(omega_n * t) +
-                           of_sine / omega_n * (std::sin(omega * t) - omega * beat * fast_cosine) +
+  const double elevation = mode.initial_rate / omega_n * 2 * mode_sine * mode_cosine +
+                           of_sine / omega_n * (2 * sine * cosine - omega * beat * fast_cosine) +
                            of_cosine * beat * fast_sine;
-  const double rate =
-      mode.initial_rate * std::cos(omega_n * t) + of_sine * omega * beat * fast_sine +
-      of_cosine *
-          (sigma / 2 * beat * fast_cosine + fast_sine * std::cos((omega_n - omega) * t / 2));
+  const double rate = mode.initial_rate * (1 - 2 * mode_sine * mode_sine) +
+                      of_sine * omega * beat * fast_sine +
+                      of_cosine * (sigma / 2 * beat * fast_cosine + fast_sine * slow_cosine);
   return {elevation, rate,
           force * std::sin(omega * t + motion.phase) - omega_n * omega_n * elevation};
 }

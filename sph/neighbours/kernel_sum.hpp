@@ -6,6 +6,7 @@
 #include "sph/neighbours/instruction_sets.hpp"
 #include "sph/neighbours/lanes.hpp"
 #include "sph/neighbours/particles.hpp"
+#include "sph/terms/kernels.hpp"
 
 namespace slosh::sph {
 
@@ -29,7 +30,7 @@ struct KernelSumOfCluster {
         const Number dx = x - b.x, dz = z - b.z;
         const auto inverse_h = terms->smoothing.inverse(spacing, b.spacing);
         const auto weight = terms->formulation.volume(b.weight, b.density) * inverse_h * inverse_h;
-        sum += weight * Kernel::shape(square_root(dx * dx + dz * dz) * inverse_h);
+        sum += weight * shape_of_pair<Kernel>(Number(dx * dx + dz * dz), inverse_h);
       }
       store(&(*sums)[i], Kernel::normalisation * sum, count);
     }

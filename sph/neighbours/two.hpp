@@ -61,8 +61,12 @@ Two<A>& operator-=(Two<A>& a, B b) {
 }
 
 template <class T>
-Two<T> square_root(Two<T> a) {
-  return {square_root(a.first), square_root(a.second)};
+Two<T> inverse_square_root(Two<T> a) {
+  return {inverse_square_root(a.first), inverse_square_root(a.second)};
+}
+template <class T>
+Two<T> reciprocal(Two<T> a) {
+  return {reciprocal(a.first), reciprocal(a.second)};
 }
 template <class T>
 Two<T> at_least(double bound, Two<T> a) {

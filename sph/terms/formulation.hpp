@@ -7,6 +7,7 @@
 // is 0, viscous_ab adds nothing.
 #pragma once
 
+#include "sph/neighbours/lanes.hpp"
 #include "sph/setting.hpp"
 
 namespace slosh::sph {
@@ -30,7 +31,7 @@ struct MassWeighted {
   }
   template <class Number, class Other>
   auto viscous_scale(Number density_a, Other density_b) const {
-    return 2.0 * viscous_share / (density_a + density_b);
+    return 2.0 * viscous_share * reciprocal(density_a + density_b);
   }
   template <class Number>
   double acceleration_factor(Number) const {

@@ -5,8 +5,9 @@
 // for q >= 2:
 //   shape(q)           W      = normalisation / h^2 * shape(q)
 //   gradient_shape(q)  (dW/dr) / r = normalisation / h^4 * gradient_shape(q), finite at q = 0
-// A kernel that is a function of q^2 also has shape_of_distance2(r^2, 1/h^2) and
-// gradient_shape_of_distance2(r^2, 1/h^2), which spare the sums a square root.
+// A kernel that is a function of q^2 also has shape_of_distance2(r^2, 1/h^2), which spares the sums
+// a square root, and so does gradient_shape_of_distance2(r^2, 1/h^2), as where the gradient divides
+// by q.
 #pragma once
 
 #include <array>
@@ -31,9 +32,15 @@ struct CubicSpline {
   }
   template <class Number>
   static Number gradient_shape(Number q) {
-    const Number outer = at_least(0.0, 2.0 - q), inner = at_least(0.0, 1.0 - q);
+    return gradient_shape_of_distance2(q * q, 1.0);
+  }
+  template <class Number, class Length>
+  static Number gradient_shape_of_distance2(Number distance2, Length inverse_h2) {
     // The numerator vanishes at q = 0; the bound only avoids 0/0.
-    return (3.0 * inner * inner - 0.75 * outer * outer) / at_least(1e-9, q);
+    const Number q2 = at_least(1e-18, distance2 * inverse_h2), inverse_q = inverse_square_root(q2),
+                 q = q2 * inverse_q;
+    const Number outer = at_least(0.0, 2.0 - q), inner = at_least(0.0, 1.0 - q);
+    return (3.0 * inner * inner - 0.75 * outer * outer) * inverse_q;
   }
 };
 
@@ -103,10 +110,14 @@ struct QuinticSpline {
   }
   template <class Number>
   static Number gradient_shape(Number q) {
-    // The numerator vanishes exactly at q = 0; the addend only avoids 0/0.
-    return -7.5 *
-           (fourth(3.0 - 1.5 * q) - 6.0 * fourth(2.0 - 1.5 * q) + 15.0 * fourth(1.0 - 1.5 * q)) /
-           (q + 1e-30);
+    return gradient_shape_of_distance2(q * q, 1.0);
+  }
+  template <class Number, class Length>
+  static Number gradient_shape_of_distance2(Number distance2, Length inverse_h2) {
+    // The numerator vanishes at q = 0; the bound only avoids 0/0.
+    const Number q2 = at_least(1e-60, distance2 * inverse_h2), inverse_q = inverse_square_root(q2),
+                 s = 1.5 * (q2 * inverse_q);
+    return -7.5 * (fourth(3.0 - s) - 6.0 * fourth(2.0 - s) + 15.0 * fourth(1.0 - s)) * inverse_q;
   }
 
  private:
@@ -188,20 +199,27 @@ constexpr KernelFunction function_of() {
   return {Kernel::normalisation, &Kernel::template shape<double>};
 }
 
+// Returns the distance to a source; of the particle itself nearly 0.
+template <class Number>
+Number distance(Number distance2) {
+  const Number bounded = at_least(1e-60, distance2);
+  return bounded * inverse_square_root(bounded);
+}
+
 // Both return a function of a pair at this distance, squared [m2]; `inverse_h` is 1/h [1/m].
 template <class Kernel, class Number, class Length>
 Number shape_of_pair(Number distance2, Length inverse_h) {
   if constexpr (requires { Kernel::shape_of_distance2(distance2, inverse_h); })
     return Kernel::shape_of_distance2(distance2, inverse_h * inverse_h);
   else
-    return Kernel::shape(square_root(distance2) * inverse_h);
+    return Kernel::shape(distance(distance2) * inverse_h);
 }
 template <class Kernel, class Number, class Length>
 Number gradient_shape_of_pair(Number distance2, Length inverse_h) {
-  if constexpr (requires { Kernel::gradient_shape_of_distance2(distance2, inverse_h); })
+  if constexpr (requires { Kernel::gradient_shape_of_distance2(distance2, inverse_h * inverse_h); })
     return Kernel::gradient_shape_of_distance2(distance2, inverse_h * inverse_h);
   else
-    return Kernel::gradient_shape(square_root(distance2) * inverse_h);
+    return Kernel::gradient_shape(distance(distance2) * inverse_h);
 }
 
 }  // namespace slosh::sph

@@ -33,7 +33,7 @@ struct MonaghanViscosity : ArtificialViscosity {
 
   template <class Number, class Length>
   Number pair(Number approach, Number distance2, Length h) const {
-    const Number mu = h * negative_part(approach) / (distance2 + 0.01 * h * h);
+    const Number mu = h * negative_part(approach) * reciprocal(distance2 + 0.01 * h * h);
     return alpha * mu * (mu - speed_of_sound);
   }
 };
@@ -46,7 +46,7 @@ struct LinearViscosity : ArtificialViscosity {
 
   template <class Number, class Length>
   Number pair(Number approach, Number distance2, Length h) const {
-    return -alpha * speed_of_sound * h * (approach / (distance2 + 0.01 * h * h));
+    return -alpha * speed_of_sound * h * (approach * reciprocal(distance2 + 0.01 * h * h));
   }
 };
 
@@ -81,7 +81,7 @@ struct LaminarViscosity {
 
   template <class Number, class Length>
   Number pair(Number approach, Number distance2, Length h) const {
-    return -8.0 * kinematic_viscosity * (approach / (distance2 + 0.01 * h * h));
+    return -8.0 * kinematic_viscosity * (approach * reciprocal(distance2 + 0.01 * h * h));
   }
 };
 

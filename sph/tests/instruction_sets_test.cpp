@@ -59,5 +59,30 @@ TYPED_TEST(InstructionSets, MoveTheParticlesAlikeToABillionthOfTheirSpacing) {
   }
 }
 
+struct Roots {
+  template <Vector Number>
+  static void run(const double* numbers, double* roots, double* reciprocals) {
+    const Number a = load<Number>(numbers);
+    store(roots, inverse_square_root(a), lanes_of<Number>);
+    store(reciprocals, reciprocal(a), lanes_of<Number>);
+  }
+};
+
+TEST(InstructionSetsAll, TakeRootsAndReciprocalsToTheLastPlaces) {
+  for (const InstructionSet set : instruction_sets) {
+    if (!has(set)) continue;
+    for (double first = 1e-60; first < 1e60; first *= 1.0371) {
+      double numbers[lane_count], roots[lane_count], reciprocals[lane_count];
+      for (std::size_t lane = 0; lane < lane_count; ++lane)
+        numbers[lane] = first * (1 + 0.31 * static_cast<double>(lane));
+      call_in_registers<Roots>(set, &numbers[0], &roots[0], &reciprocals[0]);
+      for (std::size_t lane = 0; lane < 2; ++lane) {  // all sets have two
+        EXPECT_NEAR(roots[lane] * std::sqrt(numbers[lane]), 1, 1e-15) << numbers[lane];
+        EXPECT_NEAR(reciprocals[lane] * numbers[lane], 1, 1e-15) << numbers[lane];
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace slosh::sph::instruction_sets_test

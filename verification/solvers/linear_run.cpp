@@ -92,7 +92,10 @@ std::vector<TimeSeries> with_more_modes(const LinearRun& linear, const CaseDefin
   const auto summed = [&](const LinearRun& modes) {
     return series_of(*linear_flow(modes, few), few);
   };
-  const std::vector<TimeSeries> less = summed(linear), more = summed(other);
+  const std::vector<TimeSeries> less = few.sample_interval == definition.sample_interval
+                                           ? own
+                                           : summed(linear),
+                                more = summed(other);
   for (std::size_t i = 0; i < own.size(); ++i) {
     own[i].name += finer;
     const std::vector<double> added =
