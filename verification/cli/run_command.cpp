@@ -9,6 +9,8 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "verification/assessment/doubts/motion_noise.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -20,6 +22,7 @@
 #include "verification/cli/stored_run.hpp"
 #include "verification/display/progress_display.hpp"
 #include "verification/engine/run_job.hpp"
+#include "verification/files/file_lock.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
@@ -169,6 +172,21 @@ int run_listed_job(std::size_t index, const std::atomic<bool>& stop) {
   return exit_pass;  // the list records how it ended
 }
 
+// Of a run that leaves more than its result; waits for another start there.
+std::optional<FileLock> lock_work_directory(const RunDefinition& run, const RunSettings& settings) {
+  const AnsweredWith kind = solver_kind(run).answered_with;
+  if (kind != AnsweredWith::openfoam && kind != AnsweredWith::user_program &&
+      settings.snapshot_interval == 0 && settings.state_interval == 0)
+    return {};
+  const fs::path file = settings.work_directory / "lock";
+  require_own(file);
+  return std::optional<FileLock>(std::in_place, file, [&, told = false]() mutable {
+    if (!std::exchange(told, true))
+      std::cerr << "another start works in " << settings.work_directory.string()
+                << "; waiting for it\n";
+  });
+}
+
 int run_one(const RunOptions& options, const Installation& installation) {
   const fs::path experiments = whole(options.experiments);
   CaseDefinition definition =
@@ -204,7 +222,6 @@ int run_one(const RunOptions& options, const Installation& installation) {
   // For a run in the store the campaign judges whether it reaches the end of the comparison window.
   if (options.timing) {
     time_run(store, key, options.longest, compute);
-    if (fs::is_directory(settings.work_directory)) list_all_in(settings.work_directory);
     return exit_pass;
   }
   if (!options.store.empty()) {
@@ -217,6 +234,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
   }
   const ResultStore usual(usual_store(installation));
   const OpenOutputs output(file, "run");
+  const std::optional<FileLock> lock = lock_work_directory(run, settings);
   const bool is_attempt = is_as_a_campaign_computes(options) && options.time_limit == 0;
   const RunResult result = is_attempt ? attempted(run, usual, key, compute) : compute();
   output.make_room();

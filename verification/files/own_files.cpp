@@ -48,6 +48,13 @@ std::string identity_of(const fs::path& path, const std::string& command) {
   return hash_of(read_bytes(path), command);
 }
 
+// The identity of what a program has left, which may be much: its size and when it was written.
+std::string stamp_of(const fs::path& path) {
+  if (!fs::is_regular_file(fs::symlink_status(path))) return identity_of(path, "");
+  return fmt::format("{}_bytes_at_{}", fs::file_size(path),
+                     fs::last_write_time(path).time_since_epoch().count());
+}
+
 // The identities that the list of a directory gives to each name.
 using Identities = std::map<std::string, std::set<std::string>>;
 
@@ -101,9 +108,13 @@ std::optional<fs::path> foreign_at(const fs::path& path, const Identities& liste
       if (auto foreign = foreign_at(entry.path(), inside, "")) return foreign;
     return std::nullopt;
   }
-  const bool is_nobodys =
-      fs::is_regular_file(status) && (path.filename() == list_name || fs::file_size(path) == 0);
-  if (is_nobodys || known.contains(identity_of(path, command))) return std::nullopt;
+  const bool is_lock = path.filename() == "lock" && fs::is_regular_file(status) &&
+                       fs::file_size(path) == 0;  // file_lock.hpp
+  const bool is_list = fs::is_regular_file(status) && path.filename() == list_name;
+  if (is_list || is_lock ||
+      (!known.empty() &&
+       (known.contains(stamp_of(path)) || known.contains(identity_of(path, command)))))
+    return std::nullopt;
   return path;
 }
 
@@ -140,10 +151,9 @@ void require_movable(const Found& found) {
 
 class SetAside {
  public:
-  void add(const fs::path& place, const fs::path& kept) {
+  void add(const fs::path& place, const std::string& what) {
     const std::lock_guard lock(mutex_);
-    told_.push_back(place.string() + " is not as Slosh has left it; it is kept as " +
-                    kept.filename().string());
+    told_.push_back(place.string() + " is not as Slosh has left it; " + what);
   }
   std::vector<std::string> told() const {
     const std::lock_guard lock(mutex_);
@@ -171,7 +181,7 @@ void move_aside(const fs::path& place) {
       if (errno != EINVAL && errno != ENOSYS) refuse("cannot set aside", place, errno);
       fs::rename(place, kept);
     }
-    return set_aside().add(place, kept);
+    return set_aside().add(place, "it is kept as " + kept.filename().string());
   }
 }
 
@@ -216,6 +226,27 @@ void require_room(const fs::path& path) { require_movable(found_at(path, "")); }
 
 void make_room(const fs::path& path) { free_place(found_at(path, "")); }
 
+fs::path make_own_directory(const fs::path& named, const std::vector<std::string>& beside) {
+  for (int number = 1;; ++number) {
+    const fs::path place = named.native() + (number == 1 ? "" : fmt::format("-{}", number));
+    try {
+      for (const std::string& ending : beside) require_own(place.native() + ending);
+      require_own(place);
+      for (const std::string& ending : beside) fs::remove(place.native() + ending);
+      fs::remove_all(place);
+    } catch (const std::exception&) {  // a user's, or nobody may read it
+      continue;
+    }
+    fs::create_directories(place.parent_path());
+    if (::mkdir(place.c_str(), 0777) != 0) {
+      if (errno == EEXIST) continue;
+      refuse("cannot make the directory", place, errno);
+    }
+    if (number > 1) set_aside().add(named, "the program works in " + place.filename().string());
+    return place;
+  }
+}
+
 std::vector<std::string> told_of_set_aside() { return set_aside().told(); }
 
 void replace_own(const fs::path& file, std::string_view content) {
@@ -243,16 +274,20 @@ void link_own(const fs::path& target, const fs::path& link) {
   fs::rename(next, place);
 }
 
+namespace {
+
 void list_all_in(const fs::path& directory) {
   std::string lines;
   for (const auto& entry : fs::directory_iterator(directory)) {
     if (fs::is_directory(entry.symlink_status()))
       list_all_in(entry.path());
     else if (entry.path().filename() != list_name)
-      lines += line_of(identity_of(entry.path(), ""), entry.path());
+      lines += line_of(stamp_of(entry.path()), entry.path());
   }
   append(lines, directory);
 }
+
+}  // namespace
 
 OpenOutputs::OpenOutputs(std::vector<fs::path> paths) : paths_(std::move(paths)) {
   for (fs::path& path : paths_) path = free_place(found_at(path, ""));

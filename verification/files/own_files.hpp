@@ -1,6 +1,7 @@
 // What Slosh has made, and may therefore replace or remove without being asked. Each directory has
 // a list of it, the file ".slosh", with a line "IDENTITY NAME" for each file and link: the hash of
-// the content, or of where the link leads. What is not there as the list says is a user's: it was
+// the content, or of where the link leads, or the size and the time of a file that a program has
+// left. What is not there as the list says is a user's: it was
 // edited, or another file, or a program was interrupted, or the list was lost. A directory is
 // Slosh's where all that lies in it is.
 //
@@ -21,8 +22,8 @@
 
 namespace slosh {
 
-// Returns what Slosh has not made: what lies there or, at any depth, in it. An empty file or
-// directory is nobody's.
+// Returns what Slosh has not made: what lies there or, at any depth, in it. An empty directory is
+// nobody's.
 std::optional<std::filesystem::path> foreign_at(const std::filesystem::path& path);
 
 // Throws std::filesystem::filesystem_error where the path leads through a link or where something
@@ -35,7 +36,13 @@ void require_room(const std::filesystem::path& path);
 // Sets aside what is foreign there. Throws as require_room().
 void make_room(const std::filesystem::path& path);
 
-// What this process has set aside, a sentence each.
+// Makes an empty directory for a program and returns it: the first of NAME, NAME-2, NAME-3, ...
+// that is free, or in which all is as Slosh has listed it, and so are the files NAME + ending
+// beside it, which are removed. Throws std::filesystem::filesystem_error where it cannot be made.
+std::filesystem::path make_own_directory(const std::filesystem::path& named,
+                                         const std::vector<std::string>& beside = {});
+
+// What this process has set aside or left where it was, a sentence each.
 std::vector<std::string> told_of_set_aside();
 
 // Replaces a file that Slosh names, or sets it aside. Throws as require_room() and replace_file().
@@ -43,9 +50,6 @@ void replace_own(const std::filesystem::path& file, std::string_view content);
 
 // Makes or replaces a link in the same way.
 void link_own(const std::filesystem::path& target, const std::filesystem::path& link);
-
-// Puts all that lies in a directory that Slosh has just made on the lists.
-void list_all_in(const std::filesystem::path& directory);
 
 // Files and directories that programs and other functions write while this object lives. Its
 // destructor lists what they have left.

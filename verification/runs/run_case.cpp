@@ -59,7 +59,6 @@ std::vector<std::filesystem::path> places_of(const RunRequest& request) {
   const AnsweredWith kind = solver_kind(request.run).answered_with;
   std::vector<const char*> endings;
   if (kind == AnsweredWith::openfoam) endings = {".openfoam"};
-  if (kind == AnsweredWith::user_program) endings = {".external.log", ".version.log"};
   if (settings.snapshot_interval != 0 || settings.state_interval != 0)
     endings = {".snapshots.h5", ".snapshots.xmf", ".state.h5", ".last_good.h5"};
   std::vector<std::filesystem::path> places;
@@ -69,8 +68,6 @@ std::vector<std::filesystem::path> places_of(const RunRequest& request) {
     if (const auto place = work / (request.run.name + ending);
         settings.resume.empty() || !std::filesystem::equivalent(settings.resume, place, absent))
       places.push_back(place);
-  // Nobody can tell what a program leaves there from what its user puts there: it is never listed.
-  if (kind == AnsweredWith::user_program) make_room(work / (request.run.name + ".external"));
   return places;
 }
 

@@ -10,6 +10,7 @@
 #include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/legible_text.hpp"
 #include "verification/files/foreign/plain_file.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/import/import_series.hpp"
 #include "verification/input/tables/series_files.hpp"
@@ -121,12 +122,13 @@ RunResult run_solver(const ExternalRun& external, const RunRequest& request) {
                     "the PATH; there is none",
                     external.command.front()));
   const fs::path work = fs::absolute(request.settings.work_directory);
-  const fs::path directory = work / (request.run.name + ".external");
-  const fs::path log = work / (request.run.name + ".external.log");
-  const fs::path version_log = work / (request.run.name + ".version.log");
-  // What an earlier run may have left and nobody has touched; all else is set aside (run_case.cpp).
-  for (const fs::path& left : {directory, log, version_log}) fs::remove_all(left);
-  fs::create_directories(directory);
+  const char *log_ending = ".log", *version_ending = ".version.log";
+  const fs::path directory =
+      make_own_directory(work / (request.run.name + ".external"), {log_ending, version_ending});
+  const fs::path log = directory.native() + log_ending,
+                 version_log = directory.native() + version_ending;
+  // What the program leaves is listed, even where it fails, and goes with the next start.
+  const OpenOutputs left({directory, log, version_log});
   const std::vector<std::string> command =
       external_command(external, request.definition, directory);
   // Before any program runs, which could leave a pipe or a link in its place.

@@ -477,6 +477,16 @@ TEST_F(EarlierVerdict, GivesWayToOneThatCannotBePrinted) {
   }
 }
 
+// A campaign that is let pass does not bring back what a gate said of it before.
+TEST_F(EarlierVerdict, OutlivesNoCampaignThatIsLetPassUndecided) {
+  ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", place}).status, 0);
+  pass_both();
+  write_campaign(small_case + own_run + own_row("amplitude_error", "0.01"));
+  EXPECT_EQ(tool({"campaign", "./surges.toml", "-o", place, "--inconclusive-exit", "0"}).status, 0);
+  expect_no_pass("campaign");
+  EXPECT_TRUE(holds(gate_page(), "INCONCLUSIVE"));
+}
+
 TEST_F(EarlierVerdict, SaysTheExitStatusOfItsProcess) {
   write_campaign(small_case + own_run + own_row("amplitude_error", "0.01"));
   const auto expect_told = [&](std::vector<std::string> words, int status) {

@@ -196,19 +196,18 @@ TEST_F(Outputs, ReplaceNoInputThatLiesInADirectoryOfTheTool) {
   fs::create_directories(directory() / "out/report/tables");
   fs::copy_file(directory() / "surges.toml", directory() / "out/report/tables/surges.toml");
   fs::copy_file(directory() / "small.toml", directory() / "out/report/tables/small.toml");
-  for (const char* file : {"motion.csv", "wave.csv", "solve"})
+  for (const char* file : {"motion.csv", "wave.csv", "solve", "version"})
     fs::copy_file(directory() / file, directory() / "out/report/tables" / file);
   const Ended reported = tool(report);
   EXPECT_EQ(reported.status, 2) << reported.out << reported.err;
   EXPECT_TRUE(holds(reported.err, "is an input of this command and would be lost"));
   EXPECT_TRUE(fs::exists(directory() / "out/report/tables/surges.toml"));
 
-  // Before it starts, the program's directory is emptied.
   fs::create_directory(directory() / "new.work");
   fs::rename(directory() / "out/report/tables", directory() / "new.work/mine.external");
   const Ended ran = typed("run ./new.work/mine.external/small.toml mine -o new.h5");
-  EXPECT_EQ(ran.status, 2) << ran.out << ran.err;
-  EXPECT_TRUE(holds(ran.err, "which lies there, is an input of this command and would be lost"));
+  EXPECT_EQ(ran.status, 0) << ran.out << ran.err;
+  EXPECT_TRUE(holds(ran.err, "the program works in mine.external-2"));
   EXPECT_TRUE(fs::exists(directory() / "new.work/mine.external/small.toml"));
 }
 
@@ -530,29 +529,37 @@ TEST_F(Outputs, SetAsideWhatIsAUsersAndLieBesideTheRest) {
 }
 
 // A start that was interrupted, a store that was copied, a user at work in the directory.
-TEST_F(Outputs, OfAProgramAreKeptWhoeverHasLeftThem) {
-  fs::create_directories(directory() / "mine.work/mine.external");
+TEST_F(Outputs, OfAProgramLeaveThoseOfAUsersWhereTheyAre) {
+  const fs::path work = directory() / "mine.work", first = work / "mine.external";
+  fs::create_directories(first);
   write("mine.work/mine.external/part.csv", "half");
   write("mine.work/mine.external/notes.txt", "a week of work");
   write("mine.work/mine.external.log", "killed");
-  const Ended again = run("mine");
-  EXPECT_EQ(again.status, 0) << again.err;
-  EXPECT_TRUE(holds(again.err, "it is kept as mine.external.kept-"));
-  const auto kept = [&](const std::string& file) {
-    for (int i = 1; i < 9; ++i)
-      if (const std::string one = "mine.work/mine.external.kept-" + std::to_string(i) + "/" + file;
-          fs::exists(directory() / one))
-        return read(one);
-    return std::string("lost");
-  };
-  EXPECT_EQ(kept("notes.txt"), "a week of work");
-  EXPECT_EQ(kept("part.csv"), "half");
-  EXPECT_EQ(read("mine.work/mine.external.log.kept-1"), "killed");
-  write("solve", "#!/bin/sh\ncp \"$1\" \"$2/wave.csv\"; echo by hand > \"$2/plot.py\"\n");
-  for (int i = 0; i < 2; ++i) EXPECT_EQ(run("mine").status, 0);
-  EXPECT_EQ(kept("plot.py"), "by hand\n") << "laid there while the program ran";
-  EXPECT_FALSE(fs::exists(directory() / "mine.work/mine.external.log.kept-2"));
+  for (int i = 0; i < 3; ++i) {
+    const Ended again = run("mine");
+    EXPECT_EQ(again.status, 0) << again.err;
+    EXPECT_TRUE(holds(again.err, "the program works in mine.external-2"));
+  }
+  EXPECT_EQ(read("mine.work/mine.external/notes.txt"), "a week of work");
+  EXPECT_EQ(read("mine.work/mine.external/part.csv"), "half");
+  EXPECT_EQ(read("mine.work/mine.external.log"), "killed");
+  EXPECT_FALSE(fs::exists(work / "mine.external-3"));
+  write("solve", "#!/bin/sh\nhead -c 100000 /dev/zero > \"$2/half\"; exit 1\n");
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(run("mine").status, 3);
+  EXPECT_FALSE(fs::exists(work / "mine.external-3")) << "what failed is not kept for ever";
   EXPECT_EQ(run("mine", {"-o", ".slosh"}).status, 2);
+}
+
+// Two starts of a run with one name in one directory, of cases that differ.
+TEST_F(Outputs, OfTwoStartsAtOnceAreEachItsOwn) {
+  write("solve",
+        "#!/bin/sh\ncp \"$1\" \"$2/wave.csv\"; sleep 1; test -e \"$2/wave.csv\" || exit 7\n");
+  auto first = start(SLOSH_TOOL, {"run", "./small.toml", "mine", "-o", "mine.h5"});
+  ::usleep(300'000);
+  const Ended second = run("mine");
+  first.wait();
+  EXPECT_EQ(first.exit_code(), 0);
+  EXPECT_EQ(second.status, 0) << second.err;
 }
 
 TEST_F(Outputs, OfAStudySetAsideATableOfAUsers) {

@@ -40,7 +40,9 @@ std::vector<fs::path> results_in(const fs::path& directory) {
   std::vector<fs::path> files;
   if (!fs::is_directory(directory)) return files;
   for (const auto& entry : fs::directory_iterator(directory))
-    if (const fs::path report = entry.path() / "report"; fs::exists(report))
+    // But not what another start is writing (reports/pages/write_report.cpp).
+    if (const fs::path report = entry.path() / "report";
+        fs::exists(report) && !entry.path().filename().string().starts_with("report.writing-"))
       files.push_back(report / "results.json");
   std::sort(files.begin(), files.end());
   return files;
@@ -155,7 +157,7 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
     earlier.begin(written_pages);
     const int status = judge_campaign(std::move(campaign), options, installation, stop, earlier),
               asked = requested_exit(status, options);
-    earlier.end("gate", asked == exit_pass ? asked : status);
+    earlier.end("gate", status, asked);
     return asked;
   });
 }

@@ -182,19 +182,21 @@ void EarlierVerdicts::put_back(const Place& place, const char* folder) {
     if (file.parent_path().filename() == folder) replace_own(file, text);
 }
 
-void EarlierVerdicts::end(const char* folder, int status) {
+void EarlierVerdicts::end(const char* folder, int status, int asked) {
   const Place& own = places_.front();
-  const std::string why = fmt::format("a later start has ended with exit status {}", status);
+  const std::string why =
+      fmt::format("a later start has ended with exit status {}{}", asked,
+                  asked == status ? "" : " and the verdict " + headline_word(status));
   const bool has_failed = is_worse_status(status, exit_not_compared);
   for (auto whole = places_.begin() + 1; whole != places_.end(); ++whole)
     for (const char* one : {gate_folder, report_folder})
       if (has_failed && is_worse_status(status, told(*whole, one).value_or(exit_pass)))
-        supersede(*whole, one, status, why);
+        supersede(*whole, one, asked, why);
       else
         put_back(*whole, one);
   const std::optional<int> before = told(own, folder);
   if (!before || is_worse_status(status, *before))
-    supersede(own, folder, has_failed ? status : exit_not_compared, why);
+    supersede(own, folder, has_failed || asked == exit_pass ? asked : exit_not_compared, why);
   else
     put_back(own, folder);
   require_superseded();

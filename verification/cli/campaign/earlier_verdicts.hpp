@@ -41,9 +41,10 @@ class EarlierVerdicts {
   // which it ends then.
   int end_early(const std::string& why, int status);
   // Puts back those of a folder that this start has not written, "gate" or "report", unless they
-  // say better than its exit status; and those of the whole campaign, unless a selection has failed
-  // and they say better. Throws as begin().
-  void end(const char* folder, int status);
+  // say better than its verdict's exit status; and those of the whole campaign, unless a selection
+  // has failed and they say better. `asked` is the exit status for which its options ask. Throws as
+  // begin().
+  void end(const char* folder, int status, int asked);
 
  private:
   struct Place {

@@ -80,7 +80,7 @@ int judge_campaign(RequestedCampaign campaign, const fs::path& ledger, const Gat
   write_gate_files(document, directory);
   print_lines(fmt::format("{}\n{}\ngate: {}, junit.xml\n", document.verdict, document.basis,
                           (directory / "gate.md").string()));
-  start.earlier.end("report", asked == exit_pass ? asked : findings.status);
+  start.earlier.end("report", findings.status, asked);
   return asked;
 }
 

@@ -87,8 +87,12 @@ TEST_F(OwnFiles, LieBehindNoLinkAndAreNone) {
 
 TEST_F(OwnFiles, AreAllOfADirectoryButWhatWasAdded) {
   for (const char* file : {"report/index.html", "report/figures/a.svg"}) made(file);
+  for (const char* empty : {"report/empty", "report/figures/empty"}) std::ofstream(path() / empty);
   EXPECT_TRUE(foreign_at(path() / "report"));
-  list_all_in(path() / "report");
+  for (const char* file : {"report/index.html", "report/figures/a.svg"})
+    replace_own(path() / file, "a week of work");
+  EXPECT_TRUE(foreign_at(path() / "report")) << "an empty file, such as .nojekyll, is a user's";
+  for (const char* empty : {"report/empty", "report/figures/empty"}) fs::remove(path() / empty);
   EXPECT_FALSE(foreign_at(path() / "report"));
   const fs::path mine = made("report/figures/mine.svg");
   EXPECT_EQ(foreign_at(path() / "report"), mine);
@@ -118,6 +122,29 @@ TEST_F(OwnFiles, AreWhatAProgramHasLeft) {
   { const OpenOutputs again(places); }
   EXPECT_EQ(read_bytes(path() / "work/log.kept-1"), "a week of works");
   EXPECT_EQ(read_bytes(path() / "work/run.kept-1/deep/mine"), "a week of work");
+}
+
+TEST_F(OwnFiles, OfAProgramAreMadeAnewBesideWhatIsAUsers) {
+  const fs::path named = path() / "work/run.external";
+  for (int start = 0; start < 2; ++start) {
+    EXPECT_EQ(make_own_directory(named, {".log"}), named) << "as it was left";
+    EXPECT_TRUE(fs::is_empty(named));
+    const OpenOutputs left({named, named.native() + ".log"});
+    for (const char* file : {"work/run.external/deep/part", "work/run.external.log"}) made(file);
+  }
+  made("work/run.external/notes");
+  made("work/run.external-2/notes");
+  fs::create_symlink("/dev/zero", named.native() + "-3.log");
+  fs::create_directories(named.native() + "-4/closed/in");
+  made("work/run.external-4/closed/in/result");
+  fs::permissions(named.native() + "-4/closed", fs::perms::none);
+  EXPECT_EQ(make_own_directory(named, {".log"}), named.native() + "-5");
+  fs::permissions(named.native() + "-4/closed", fs::perms::all);
+  for (const char* kept : {"work/run.external/notes", "work/run.external-2/notes"})
+    EXPECT_EQ(read_bytes(path() / kept), "a week of work");
+  EXPECT_EQ(told_of_set_aside().back(), named.string() +
+                                            " is not as Slosh has left it; the program "
+                                            "works in run.external-5");
 }
 
 // As of a process that was killed: nothing is listed, and the next start loses nothing.
