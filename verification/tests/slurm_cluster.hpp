@@ -66,6 +66,7 @@ class SlurmCampaign : public SmallCampaign {
       times[file] = std::filesystem::last_write_time(file);
     return times;
   }
+  // The last in the queue, as a running one may end by itself before it is cancelled.
   bool cancel_one_task() const {
     boost::process::ipstream output;
     boost::process::environment slurm = boost::this_process::environment();
@@ -73,10 +74,11 @@ class SlurmCampaign : public SmallCampaign {
     const auto squeue = boost::process::search_path("squeue");
     boost::process::system(
         boost::process::exe = squeue,
-        boost::process::args = {"-h", "--array", "--states=RUNNING", "--format=%i"}, slurm,
+        boost::process::args = {"-h", "--array", "--states=PENDING,RUNNING", "--format=%i"}, slurm,
         boost::process::std_out > output);
     std::string task;
-    if (!(output >> task)) return false;
+    for (std::string next; output >> next;) task = next;
+    if (task.empty()) return false;
     return boost::process::system(boost::process::exe = boost::process::search_path("scancel"),
                                   boost::process::args = {task}, slurm) == 0;
   }
