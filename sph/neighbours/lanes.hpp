@@ -8,10 +8,6 @@
 #include <cstdint>
 #include <cstring>
 
-#if defined(__x86_64__) && !defined(SLOSH_PLAIN_LOOPS)
-#define SLOSH_HAS_ESTIMATES
-#endif
-
 namespace slosh::sph {
 
 inline constexpr std::size_t lane_count = 8;
@@ -27,41 +23,46 @@ concept Vector = std::same_as<Number, Lanes> || std::same_as<Number, FourLanes> 
 template <Vector Number>
 inline constexpr std::size_t lanes_of = sizeof(Number) / sizeof(double);
 
-// Of a positive number up to 1e300, to a few units of the last place. The square root and the
-// division of AVX-512 take several times as long as its estimates and the products that refine
-// them: from the error e of 2^-13 to the order of e^4.
+// 1/sqrt(a) and 1/a of a positive number up to 1e300, and the square root, to a few units of the
+// last place. The square root and the division of AVX-512 take several times as long as its
+// estimates and the products that refine them: from the error e of 2^-13 to the order of e^4.
+inline double square_root(double a) { return std::sqrt(a); }
 inline double inverse_square_root(double a) { return 1.0 / std::sqrt(a); }
 inline double reciprocal(double a) { return 1.0 / a; }
-#ifdef SLOSH_HAS_ESTIMATES
+template <Vector Number>
+Number square_root(Number a) {
+  Number root;
+  for (std::size_t lane = 0; lane < lanes_of<Number>; ++lane) root[lane] = std::sqrt(a[lane]);
+  return root;
+}
+template <Vector Number>
+Number inverse_square_root(Number a) {
+  return 1.0 / square_root(a);
+}
+template <Vector Number>
+Number reciprocal(Number a) {
+  return 1.0 / a;
+}
+#if defined(__x86_64__) && !defined(SLOSH_PLAIN_LOOPS)
 [[gnu::target("arch=x86-64-v4")]] inline Lanes estimate_of_inverse_square_root(Lanes a) {
   return __builtin_ia32_rsqrt14pd512_mask(a, Lanes{}, 0xff);
 }
 [[gnu::target("arch=x86-64-v4")]] inline Lanes estimate_of_reciprocal(Lanes a) {
   return __builtin_ia32_rcp14pd512_mask(a, Lanes{}, 0xff);
 }
-#endif
-template <Vector Number>
-Number inverse_square_root(Number a) {
-#ifdef SLOSH_HAS_ESTIMATES
-  if constexpr (std::same_as<Number, Lanes>) {
-    const Number y = estimate_of_inverse_square_root(a), e = 1.0 - a * y * y;
-    return y + y * e * (0.5 + e * (0.375 + e * 0.3125));
-  }
-#endif
-  Number root;
-  for (std::size_t lane = 0; lane < lanes_of<Number>; ++lane) root[lane] = std::sqrt(a[lane]);
-  return 1.0 / root;
+inline Lanes inverse_square_root(Lanes a) {
+  const Lanes y = estimate_of_inverse_square_root(a), e = 1.0 - a * y * y;
+  return y + y * e * (0.5 + e * (0.375 + e * 0.3125));
 }
-template <Vector Number>
-Number reciprocal(Number a) {
-#ifdef SLOSH_HAS_ESTIMATES
-  if constexpr (std::same_as<Number, Lanes>) {
-    const Number y = estimate_of_reciprocal(a), e = 1.0 - a * y;
-    return y + y * e * (1.0 + e * (1.0 + e));
-  }
-#endif
-  return 1.0 / a;
+inline Lanes square_root(Lanes a) {
+  const Lanes bounded = a + 1e-60;  // for a = 0
+  return bounded * inverse_square_root(bounded);
 }
+inline Lanes reciprocal(Lanes a) {
+  const Lanes y = estimate_of_reciprocal(a), e = 1.0 - a * y;
+  return y + y * e * (1.0 + e * (1.0 + e));
+}
+#endif
 
 // Comparisons as integers order doubles too, unless both are negative. AVX-512 has a larger and a
 // smaller of integers in one instruction; the compiler makes two of those of doubles, for the sake

@@ -61,6 +61,10 @@ Two<A>& operator-=(Two<A>& a, B b) {
 }
 
 template <class T>
+Two<T> square_root(Two<T> a) {
+  return {square_root(a.first), square_root(a.second)};
+}
+template <class T>
 Two<T> inverse_square_root(Two<T> a) {
   return {inverse_square_root(a.first), inverse_square_root(a.second)};
 }

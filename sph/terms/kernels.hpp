@@ -199,27 +199,20 @@ constexpr KernelFunction function_of() {
   return {Kernel::normalisation, &Kernel::template shape<double>};
 }
 
-// Returns the distance to a source; of the particle itself nearly 0.
-template <class Number>
-Number distance(Number distance2) {
-  const Number bounded = at_least(1e-60, distance2);
-  return bounded * inverse_square_root(bounded);
-}
-
 // Both return a function of a pair at this distance, squared [m2]; `inverse_h` is 1/h [1/m].
 template <class Kernel, class Number, class Length>
 Number shape_of_pair(Number distance2, Length inverse_h) {
   if constexpr (requires { Kernel::shape_of_distance2(distance2, inverse_h); })
     return Kernel::shape_of_distance2(distance2, inverse_h * inverse_h);
   else
-    return Kernel::shape(distance(distance2) * inverse_h);
+    return Kernel::shape(square_root(distance2) * inverse_h);
 }
 template <class Kernel, class Number, class Length>
 Number gradient_shape_of_pair(Number distance2, Length inverse_h) {
   if constexpr (requires { Kernel::gradient_shape_of_distance2(distance2, inverse_h * inverse_h); })
     return Kernel::gradient_shape_of_distance2(distance2, inverse_h * inverse_h);
   else
-    return Kernel::gradient_shape(distance(distance2) * inverse_h);
+    return Kernel::gradient_shape(square_root(distance2) * inverse_h);
 }
 
 }  // namespace slosh::sph
