@@ -319,8 +319,8 @@ void predict_input_bounds(const CaseDefinition& definition, CaseRuns& runs) {
       for (const double change : between) bounds.between.push_back(at(change));
       if (one.input == Input::sensor_position && !definition.probes.empty())
         for (const double change : {-one.half_width, one.half_width})
-          bounds.between.push_back(predicted(with_raised_probes(definition, change), *theory,
-                                             one.input, 0));
+          bounds.between.push_back(
+              predicted(with_raised_probes(definition, change), *theory, one.input, 0));
       runs.input_bounds[one.input] = std::move(bounds);
     } catch (const std::exception& error) {
       runs.not_predicted[one.input] = error.what();
