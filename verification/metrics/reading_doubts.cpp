@@ -42,7 +42,8 @@ std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
             : fmt::format("the {} follows straight lines between readings {:.4g} s apart, which "
                           "cut off some {:.2g} {} of a crest",
                           of.role, sparse->interval, sparse->hidden, of.unit));
-  if (isolated && !(of.unit == "Pa" && isolated->above))  // an impact is no lost reading
+  const bool may_be_struck = of.unit.starts_with("N");  // a load, whose impact may pull
+  if (isolated && !may_be_struck && !(of.unit == "Pa" && isolated->above))
     doubts.push_back(fmt::format(
         "{} samples of the {} leave their neighbours alone, as at {:.4g} s: a value is off by some "
         "{:.2g} {} in the mean",
