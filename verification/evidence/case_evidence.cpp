@@ -149,6 +149,11 @@ Comparison CaseEvidence::compared(const std::string& candidate, const std::strin
   Comparison comparison =
       compare(prepared("candidate", candidate, quantity, {}, window, modes),
               prepared("reference", reference, quantity, moved, window, modes), needed_.names);
+  const auto gap = longest_gap(prepared("candidate", candidate, quantity, {}, window, modes).cut,
+                               definition_.sample_interval);
+  if (gap && modes.empty())  // else the modes ask for samples
+    comparison.doubts.push_back(fmt::format(
+        "the candidate has no sample between {:.4g} and {:.4g} s", gap->begin, gap->end));
   if (record)
     comparison.covered = std::min(
         comparison.covered, covered_share(series_of(runs_, reference, quantity),

@@ -289,6 +289,12 @@ InputEffect largest_effect(const InputUncertainty& one, const GateRow& row,
   return largest;
 }
 
+// A probe in the liquid may be off in both directions, of which with_input() changes x.
+CaseDefinition with_raised_probes(CaseDefinition definition, double change) {
+  for (ProbeDefinition& probe : definition.probes) probe.z += change;
+  return definition;
+}
+
 }  // namespace
 
 bool may_predict(const RunDefinition& run, Input input) {
@@ -311,6 +317,10 @@ void predict_input_bounds(const CaseDefinition& definition, CaseRuns& runs) {
       const std::vector<double> between = between_bounds(definition, one);
       InputBounds bounds{at(-one.half_width), at(one.half_width), {}, theory->name};
       for (const double change : between) bounds.between.push_back(at(change));
+      if (one.input == Input::sensor_position && !definition.probes.empty())
+        for (const double change : {-one.half_width, one.half_width})
+          bounds.between.push_back(
+              predicted(with_raised_probes(definition, change), *theory, one.input, 0));
       runs.input_bounds[one.input] = std::move(bounds);
     } catch (const std::exception& error) {
       runs.not_predicted[one.input] = error.what();

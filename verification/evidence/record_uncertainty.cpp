@@ -74,15 +74,22 @@ double uncertainty_from_values(Metric metric, const std::string& mode, const Com
   if (half_width >= tone.amplitude.value) return std::numeric_limits<double>::infinity();
   const double share = half_width / tone.amplitude.value;
   const double window = comparison.window.end - comparison.window.begin;
+  // Of a ratio less one, where its denominator may be smaller by this share.
+  const auto of_ratio = [](const Estimate& error, double smaller) {
+    return smaller < 1 ? std::abs(1 + error.value) * smaller / (1 - smaller)
+                       : std::numeric_limits<double>::infinity();
+  };
   switch (metric) {
     case Metric::amplitude_error:
-      return share;
+      return of_ratio(found->amplitude_error, share);
     case Metric::phase_lag:
-      return 180 / std::numbers::pi * share;
+      return 180 / std::numbers::pi * std::asin(share);
     case Metric::frequency_error:
-      return 2 * share / (tone.angular_frequency.value * window);
+      return of_ratio(found->frequency_error,
+                      2 * std::asin(share) / (tone.angular_frequency.value * window));
     case Metric::decay_error:
-      return 2 * share / (window * std::abs(tone.decay_rate.value));
+      return of_ratio(found->decay_error,
+                      2 * std::atanh(share) / (window * std::abs(tone.decay_rate.value)));
     default:
       throw std::logic_error("no formula for the record's uncertainty in " + metric_name(metric));
   }

@@ -2,9 +2,12 @@
 // (the half width of their 95 % interval, in the series' unit). Let A be the amplitude of the
 // record's mode, omega its angular frequency and T the window's length. The record's error is
 // assumed to have the shape of the mode, in phase or in quadrature, constant or growing from one
-// end of the window to the other. To first order:
-//   amplitude_error  u / A                phase_lag    u / A [rad]
-//   frequency_error  2 u / (A omega T)    decay_error  2 u / (A T) over the record's decay rate
+// end of the window to the other. With s = u / A the phase is off by
+//   phase_lag        asin(s)
+// and the record's own value, of which the metric's error E is a share, may be less by the share d:
+//   amplitude_error  d = s                         frequency_error  d = 2 asin(s) / (omega T)
+//   decay_error      d = 2 artanh(s) / (T decay rate)
+// E then changes by (1 + E) d / (1 - d), which is infinite from d = 1 on.
 // A metric of the whole window is measured again with the record raised and lowered by u, and with
 // errors of that kind: the deviations from the mean over their largest one, and each of their
 // components a quarter of its period later, constant and growing from -1 to 1, times u and -u. The

@@ -207,6 +207,28 @@ std::vector<ValueAtStep> seen_elsewhere(const std::vector<MeasuredRun>& measured
   return values;
 }
 
+// A share need not change from run to run, and changes where the series has gone by its whole
+// uncertainty: along the line through the finest two runs, both ways.
+double change_of_share(const std::vector<MeasuredRun>& measured, const MeasuredRun& own,
+                       const CaseDefinition& definition, const CaseRuns& runs, const GateRow& row,
+                       const MeasureWithSeries& measure_with) {
+  const MeasuredRun &fine = measured.back(), &coarse = measured[measured.size() - 2];
+  const double from = own.name == fine.name ? 0 : 1,
+               reach =
+                   first_order_uncertainty(1, own.value.step, fine.value.step, coarse.value.step);
+  const TimeWindow window{definition.window_begin, definition.window_end};
+  double largest = 0;
+  for (const double place : {from - reach, from + reach}) {
+    const TimeSeries moved =
+        on_the_line(runs.results.at(fine.name).at(row.quantity),
+                    runs.results.at(coarse.name).at(row.quantity), window, place);
+    const double there =
+        measure_with(with(row, Role::candidate, fine.name), fine.name, moved).value;
+    largest = std::max(largest, std::abs(there - own.value.value));
+  }
+  return largest;
+}
+
 // By how much the straight line between a sample's neighbours misses it at most.
 double missed_by_lines(const TimeSeries& series) {
   const auto& [name, unit, time, value] = series;
@@ -298,6 +320,10 @@ Refinements refined_metrics(const CaseDefinition& definition, const CaseRuns& ru
                                                            role, measures.with_series),
                                             itself->value.step)
                                           .uncertainty);
+      if (is_of_band(row.metric))
+        metric.found.uncertainty = std::max(
+            metric.found.uncertainty,
+            change_of_share(measured, *itself, definition, runs, row, measures.with_series));
     } catch (const ComparisonError& error) {
       found.unknown.push_back(fmt::format("the refinement {} tells nothing: between its runs {}",
                                           path.name, error.what()));

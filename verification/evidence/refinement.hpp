@@ -11,7 +11,9 @@
 // a coarser one, its value there is then taken as
 //   m(f) + max(|m(g) - m(f)|, |m(f + s (g - f)) - m(f)|)
 // with s = -1 for a distance, as far the other way, and s = 1/2 for a modulus, which vanishes half
-// way to a wave that is turned over; and the larger of both uncertainties counts.
+// way to a wave that is turned over; and the larger of both uncertainties counts. A share of the
+// time, which may be 0 at both, has its largest change as the series moves by its own U to either
+// side, where that is more.
 #pragma once
 
 #include <functional>

@@ -138,11 +138,19 @@ std::vector<WorkPoint> by_memory(const WorkFamily& family) {
 std::string left_out_as_compiling(const CaseDefinition& definition, const CaseRuns& runs,
                                   const GateRow& row) {
   const std::string name = work_family(run_named(definition, row.candidate));
+  constexpr double least_kept = 0.1;  // [s]: what loading a program may take
   double largest = 0;
-  std::string text;
+  std::string text, kept;
   for (const RunDefinition& run : definition.runs) {
     const auto found = runs.results.find(run.name);
     if (work_family(run) != name || found == runs.results.end()) continue;
+    const Estimate again = cost_of(runs, run.name).core_seconds;
+    const double first = found->second.cost.core_seconds();
+    if (first > 2 * (again.value + again.half_width) && first > again.value + least_kept)
+      kept += fmt::format(
+          "; doubtful: {} took {:.2g} s of one core when it ran first: it may keep "
+          "what it computes",
+          run.name, first);
     const auto said = found->second.diagnostics.find("compile_processor_time_s");
     if (said == found->second.diagnostics.end()) continue;
     const double share = said->second / (said->second + found->second.cost.core_seconds());
@@ -152,7 +160,7 @@ std::string left_out_as_compiling(const CaseDefinition& definition, const CaseRu
         "{} says itself that {:.3g} s were compiling, {} of what it took; they do not count",
         run.name, said->second, in_unit(share, "1"));
   }
-  return text.empty() ? "" : (largest > 0.5 ? "; doubtful: " : "; ") + text;
+  return kept + (text.empty() ? "" : (largest > 0.5 ? "; doubtful: " : "; ") + text);
 }
 
 CostAtError cost_to_reach(const CaseDefinition& definition, const CaseRuns& runs,

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "verification/case/metric_table.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/gate/measured_value.hpp"
 #include "verification/series/interval_text.hpp"
@@ -80,6 +81,12 @@ Estimate with_own(const Estimate& value, const UncertaintyContributions& of) {
           std::hypot(value.half_width, of.time_series.known(), of.discretisation.known())};
 }
 
+// A candidate that does not move improves on all that is worse than nothing.
+bool is_better_than_nothing(Metric metric, const Estimate& value) {
+  const double nothing = std::abs(metric_entry(metric).widest.nothing);
+  return std::isnan(nothing) || std::abs(value.value) + value.half_width < nothing;
+}
+
 GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
                               const GateEvidence& evidence) {
   GateRow others_row = row;
@@ -90,12 +97,18 @@ GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
   const Improvement found{with_own(value, own), with_own(other, others), common_to(own, others),
                           as_good_at(row.metric, value.value, other.value)};
   const Verdict verdict = verdict_on(found);
-  const std::string missing = missing_for_validation(own);
-  return {row, verdict_of_kind(row, verdict, missing), value,
+  std::string missing = missing_for_validation(own),
+              others_missing = missing_for_validation(others);
+  if (others_missing != missing && !others_missing.empty())
+    missing += (missing.empty() ? "" : "; ") + others_missing;
+  const bool is_nothing =
+      verdict == Verdict::pass && !is_better_than_nothing(row.metric, found.estimate);
+  return {row, is_nothing ? Verdict::inconclusive : verdict_of_kind(row, verdict, missing), value,
           with_missing(fmt::format("|{}| {} |{}| of {}", with_interval(found.estimate, row.unit),
                                    verdict == Verdict::pass ? "<" : "is not clearly <",
                                    with_interval(found.other, row.unit), others_row.candidate) +
-                           outweighed_text(found, row.unit),
+                           outweighed_text(found, row.unit) +
+                           (is_nothing ? "; a candidate of nothing is as good" : ""),
                        missing)};
 }
 

@@ -26,14 +26,16 @@ const ModeComparison& mode_of(const Comparison& comparison, const std::string& m
     throw ComparisonError("the mode " + mode + " was not fitted");
   for (const Tone* tone : {&found->candidate, &found->reference})
     if (!tone->resolved)
-      throw ComparisonError(fmt::format("the {}'s mode {} cannot be resolved",
-                                        tone == &found->candidate ? "candidate" : "reference",
-                                        mode));
+      throw ComparisonError(
+          fmt::format("the {}'s mode {} cannot be resolved; expected a longer window, or "
+                      "natural_modes = 0",
+                      tone == &found->candidate ? "candidate" : "reference", mode));
   if (found->beside)
-    throw ComparisonError(fmt::format(
-        "the window of {:.4g} s cannot separate the mode {} from a component at {:.4g} Hz",
-        comparison.window.end - comparison.window.begin, mode,
-        *found->beside / (2 * std::numbers::pi)));
+    throw ComparisonError(
+        fmt::format("the window of {:.4g} s cannot separate the mode {} from a component at {:.4g} "
+                    "Hz; expected a longer window, or natural_modes = 0",
+                    comparison.window.end - comparison.window.begin, mode,
+                    *found->beside / (2 * std::numbers::pi)));
   return *found;
 }
 
@@ -142,6 +144,15 @@ double largest_magnitude(const TimeSeries& series) {
     largest = std::max(largest, std::abs(value));
   }
   return largest;
+}
+
+// By how much the parabola through three samples exceeds the middle one, at the largest.
+double above_largest(const std::vector<double>& value) {
+  const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto i = static_cast<std::size_t>(std::max_element(value.begin(), value.end(), larger) -
+                                          value.begin());
+  return i == 0 || i + 1 >= value.size() ? 0
+                                         : std::abs(value[i - 1] - 2 * value[i] + value[i + 1]) / 8;
 }
 
 // Throws ComparisonError where no sample lies within an interval of the start.
@@ -303,6 +314,14 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
     if (const auto gap = longest_gap(series, recorded))
       doubts.push_back(fmt::format("the candidate has no sample between {:.4g} and {:.4g} s",
                                    gap->begin, gap->end));
+    if (row.metric == Metric::largest_magnitude && !row.improves_on) {
+      const double largest = largest_magnitude(series), above = above_largest(series.value);
+      constexpr double known_to = 1.001;  // as far as a row is told
+      const double upper = bounds_of(row).second;
+      if (largest <= upper && largest + above > upper * known_to)
+        doubts.push_back(fmt::format(
+            "between the samples of the candidate it may be {:.2g} {} more", above, series.unit));
+    }
     if (!is_compared) continue;
     const bool is_smoothed = evidence.readings && is_filtered(row.quantity);
     SensorReadings readings{
@@ -321,9 +340,37 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
   add_coverage(covered, found);
 }
 
+// The error is reached where the best of the runs that the cost rests on is within it by what the
+// reference may be off.
+void add_doubts_of_cost(const GateRow& row, const GateEvidence& evidence, SampleDoubts& found) {
+  const std::vector<std::string> runs = evidence.cost(row).rests_on;
+  if (!evidence.uncertainty || runs.empty()) return;
+  GateRow reached = row;
+  reached.metric = Metric::normalised_rms;
+  reached.mode = "whole";
+  reached.unit = "1";
+  reached.limit = row.error;
+  reached.error.reset();
+  double best = std::numeric_limits<double>::infinity();
+  for (const std::string& run : runs)
+    best =
+        std::min(best, evidence.comparison(run, row.reference, row.quantity).normalised_rms.value);
+  const Contribution off = evidence.uncertainty(reached).reference;
+  if (!off.half_width)
+    add_doubt("doubtful: " + off.basis, found);
+  else if (!(best + *off.half_width <= *row.error))
+    add_doubt(
+        fmt::format("doubtful: the error is {:.3g} %, and the reference may be off by {:.2g} %",
+                    100 * best, 100 * *off.half_width),
+        found);
+  add_doubts_of_pairs(reached, evidence, found);
+}
+
 SampleDoubts doubts_of_row(const GateRow& row, const GateEvidence& evidence) {
   SampleDoubts found;
-  if (is_of_a_pair(metric_entry(row.metric)))
+  if (is_cost(row.metric))
+    add_doubts_of_cost(row, evidence, found);
+  else if (is_of_a_pair(metric_entry(row.metric)))
     add_doubts_of_pairs(row, evidence, found);
   else if (is_of_impacts(row.metric) || is_of_candidate_alone(row.metric))
     add_doubts_of_candidate(row, evidence, found);

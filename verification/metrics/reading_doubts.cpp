@@ -28,7 +28,7 @@ void add_flat(const SensorReadings& of, const FlatExtreme& flat, const char* whi
 
 std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
   std::vector<std::string> doubts;
-  const auto& [range, step, highest, lowest, sparse] = of.limits;
+  const auto& [range, step, highest, lowest, sparse, isolated] = of.limits;
   // A pressure rests at its lowest value alone.
   if (highest && (of.unit == "Pa" || !may_rest(*highest, of)))
     add_flat(of, *highest, "highest", doubts);
@@ -42,6 +42,12 @@ std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
             : fmt::format("the {} follows straight lines between readings {:.4g} s apart, which "
                           "cut off some {:.2g} {} of a crest",
                           of.role, sparse->interval, sparse->hidden, of.unit));
+  const bool may_be_struck = of.unit.starts_with("N");  // a load, whose impact may pull
+  if (isolated && !may_be_struck && !(of.unit == "Pa" && isolated->above))
+    doubts.push_back(fmt::format(
+        "{} samples of the {} leave their neighbours alone, as at {:.4g} s: a value is off by some "
+        "{:.2g} {} in the mean",
+        isolated->count, of.role, isolated->time, isolated->hidden, of.unit));
   return doubts;
 }
 

@@ -19,7 +19,9 @@ constexpr double least_hidden = 0.015;                            // of the rang
 constexpr double bands[] = {1e-3, 3e-3, 0.01, 0.02, 0.04, 0.08};  // of the range
 constexpr double most_of_round = 0.2;  // of what a round crest falls by inside
 constexpr double standard_errors = 2.5;
-constexpr double same_line = 1e-5;  // of the range, by rounding
+constexpr double same_line = 1e-5;             // of the range, by rounding
+constexpr double least_isolated = 0.05;        // of the range
+constexpr double least_isolated_share = 0.01;  // of the mean departure from the mean
 constexpr std::size_t fewest_readings = 6;
 constexpr std::size_t most_sampled = 20000, fewest_in_flat = 3, fewest_fitted = 6;
 
@@ -141,56 +143,156 @@ std::optional<FlatExtreme> flat_extreme(const TimeSeries& series, double extreme
   return std::nullopt;
 }
 
-// The samples from which on the values move by another slope, and by how much it differs.
-struct Knots {
-  std::vector<double> interval, turn;
+// Consecutive samples on one straight line, or of one value where these are held.
+struct Piece {
+  std::size_t first, last;
+  double turn;  // by which the series leaves it
 };
 
-// Of straight lines, or of the values themselves where these are held.
-Knots knots_of(const TimeSeries& series, double range, bool held) {
+// What 8 first quartiles exceed is no noise within the pieces, and no step of a smooth wave.
+std::vector<Piece> pieces_of(const TimeSeries& series, double range, bool held) {
   const std::vector<double>&time = series.time, &value = series.value;
-  Knots knots;
-  double last = 0;
-  bool is_first = true;
+  std::vector<double> left(value.size(), 0), sizes;  // by which the next sample leaves the line
   for (std::size_t i = 1; i + 1 < value.size(); ++i) {
     const double before = held ? 0 : (value[i] - value[i - 1]) / (time[i] - time[i - 1]);
-    const double step = time[i + 1] - time[i];
-    const double left = value[i + 1] - value[i] - before * step;  // by which it leaves the line
-    if (std::abs(left) <= same_line * range) continue;
-    if (!is_first) {
-      knots.interval.push_back(time[i] - last);
-      knots.turn.push_back(std::abs(left) / (held ? 1 : step));
-    }
-    last = time[i];
-    is_first = false;
+    left[i] = value[i + 1] - value[i] - before * (time[i + 1] - time[i]);
+    sizes.push_back(std::abs(left[i]));
   }
-  return knots;
+  if (sizes.empty()) return {};
+  const auto quartile = sizes.begin() + std::ssize(sizes) / 4;
+  std::nth_element(sizes.begin(), quartile, sizes.end());
+  const double same = std::max(same_line * range, 8 * *quartile);
+  std::vector<Piece> pieces;
+  std::size_t first = 0;
+  for (std::size_t i = 1; i + 1 < value.size(); ++i) {
+    if (std::abs(left[i]) <= same) continue;
+    pieces.push_back({first, i, left[i] / (held ? 1 : time[i + 1] - time[i])});
+    first = held ? i + 1 : i;
+  }
+  if (!pieces.empty()) pieces.push_back({first, value.size() - 1, 0});
+  return pieces;
 }
 
+// The mean of the values, or the slope.
+double course_of(const Piece& piece, const TimeSeries& series, bool held) {
+  const auto& [name, unit, time, value] = series;
+  if (!held)
+    return (value[piece.last] - value[piece.first]) / (time[piece.last] - time[piece.first]);
+  const auto begin = value.begin() + static_cast<std::ptrdiff_t>(piece.first);
+  return mean({begin, value.begin() + static_cast<std::ptrdiff_t>(piece.last) + 1});
+}
+
+// A rest between samples that follow the wave is no reading, nor is a piece that ends at an outlier
+// of the noise: the reading after one is long too, to a factor, and goes on where the series turned
+// to.
 std::optional<SparseReadings> sparse_readings(const TimeSeries& series, double range) {
+  const double fine = 1.5 * median_sample_interval(series.time);
   for (const bool held : {true, false}) {
-    const Knots knots = knots_of(series, range, held);
-    if (knots.interval.size() < fewest_readings) continue;
-    const double interval = median(knots.interval);
-    const double turn = median(knots.turn);
+    const std::vector<Piece> pieces = pieces_of(series, range, held);
+    const auto length = [&](const Piece& piece) {
+      return series.time[std::min(piece.last + held, series.time.size() - 1)] -
+             series.time[piece.first];
+    };
+    std::vector<double> intervals, turns;
+    double covered = 0, all = 0;
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+      const Piece &piece = pieces[i], &next = pieces[i + 1];
+      const auto [shorter, longer] = std::minmax({length(piece), length(next)});
+      if (shorter < fine) continue;
+      all += length(piece);
+      const double turn = course_of(next, series, held) - course_of(piece, series, held);
+      if (longer > 3 * shorter || std::abs(turn - piece.turn) > std::abs(piece.turn) / 2) continue;
+      intervals.push_back(length(piece));
+      turns.push_back(std::abs(turn));
+      covered += length(piece);
+    }
+    if (intervals.size() < fewest_readings || covered < 0.8 * all) continue;
+    const double interval = median(intervals), turn = median(turns);
     const double hidden = held ? turn / 2 : turn * interval / 8;
-    if (interval >= 1.5 * median_sample_interval(series.time) && hidden >= least_hidden * range)
-      return SparseReadings{held, interval, hidden};
+    const double share = covered / (series.time.back() - series.time.front());
+    if (share * hidden >= least_hidden * range) return SparseReadings{held, interval, hidden};
   }
   return std::nullopt;
+}
+
+double range_of(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low;
+}
+
+TimeSeries without(const std::vector<bool>& left_out, const TimeSeries& series) {
+  TimeSeries kept{series.name, series.unit, {}, {}};
+  for (std::size_t i = 0; i < series.value.size(); ++i) {
+    if (left_out[i]) continue;
+    kept.time.push_back(series.time[i]);
+    kept.value.push_back(series.value[i]);
+  }
+  return kept;
+}
+
+// Runs of one or two samples that leave the line between their neighbours, which follow one
+// another.
+struct Isolated {
+  std::vector<bool> is_isolated;
+  std::optional<IsolatedReadings> told;
+};
+
+Isolated isolated_readings(const TimeSeries& series, double range) {
+  const auto& [name, unit, time, value] = series;
+  Isolated found{std::vector<bool>(value.size()), {}};
+  if (value.size() < fewest_readings) return found;
+  const auto left = [&](std::size_t i, std::size_t before, std::size_t after) {
+    const double share = (time[i] - time[before]) / (time[after] - time[before]);
+    return value[i] - std::lerp(value[before], value[after], share);
+  };
+  std::vector<double> usual;
+  for (std::size_t i = 1; i + 1 < value.size(); ++i)
+    usual.push_back(std::abs(left(i, i - 1, i + 1)));
+  const double least = std::max(8 * median(usual), least_isolated * range);
+  IsolatedReadings told{0, 0, 0};
+  double off = 0, largest = 0;
+  for (std::size_t count = 1; count < fewest_in_flat; ++count)
+    for (std::size_t i = 2; i + count + 1 < value.size(); ++i) {
+      const std::size_t before = i - 1, after = i + count;
+      const double apart =
+          std::min(std::abs(left(i, before, after)), std::abs(left(after - 1, before, after)));
+      const double beside = std::max(std::abs(left(before, before - 1, after)),
+                                     std::abs(left(after, before, after + 1)));
+      if (apart < least || apart < 5 * beside || found.is_isolated[i]) continue;
+      for (std::size_t k = i; k < after; ++k) {
+        found.is_isolated[k] = true;
+        off += left(k, before, after);
+        told.hidden += std::abs(left(k, before, after)) / static_cast<double>(value.size());
+      }
+      told.count += count;
+      if (apart > largest) told.time = time[i];
+      largest = std::max(largest, apart);
+    }
+  told.above = off > 0;
+  double swing = 0;
+  for (const double one : without_mean(value)) swing += std::abs(one);
+  if (told.hidden >= least_isolated_share * swing / static_cast<double>(value.size()))
+    found.told = told;
+  return found;
 }
 
 }  // namespace
 
 SensorLimits sensor_limits(const TimeSeries& cut) {
   if (cut.value.empty()) return {};
-  const auto [low, high] = std::minmax_element(cut.value.begin(), cut.value.end());
-  const double range = *high - *low;
+  const double range = range_of(cut.value);
   if (!(range > 0)) return {};
   const std::optional<double> step = step_of(cut.value);
-  return {range, step, flat_extreme(cut, *high, range, step.value_or(0)),
-          flat_extreme(cut, *low, range, step.value_or(0)),
-          step ? std::nullopt : sparse_readings(cut, range)};
+  const Isolated isolated = isolated_readings(cut, range);
+  const TimeSeries joined = without(isolated.is_isolated, cut);
+  const auto [low, high] = std::minmax_element(joined.value.begin(), joined.value.end());
+  const double height = *high - *low;
+  return {range,
+          step,
+          flat_extreme(joined, *high, height, step.value_or(0)),
+          flat_extreme(joined, *low, height, step.value_or(0)),
+          step ? std::nullopt : sparse_readings(cut, range),
+          step ? std::nullopt : isolated.told};
 }
 
 }  // namespace slosh

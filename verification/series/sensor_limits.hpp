@@ -22,14 +22,23 @@
 // (sensor_limits_test.cpp).
 //
 // Sparse readings: a program or a logger writes more samples than it has readings, and holds each
-// reading or joins them by straight lines. The interval T of the readings is the median time
-// between two samples where the series leaves the line through its last two samples by more than
-// 1e-5 of the range. A held reading is off by half the jump to the next one in the mean. A line
-// hides a crest of height T |change of slope| / 8. Either is told where its median is 1.5 % of the
-// range or more: a lag of 2.5 degrees, or 3 % of a sine's amplitude. A crest that is cut off and
-// filtered afterwards is not seen.
+// reading or joins them by straight lines. A reading ends where the series leaves the line through
+// its last two samples by more than 1e-5 of the range and 8 times what a quarter of the samples
+// leave it by, which is noise. It counts where it lasts for more than one sample, as the next one
+// does, which goes on where the series turned to. T is the median of their times. A held reading is
+// off by half the jump to the next one in the mean. A line hides a crest of height T |change of
+// slope| / 8. Either is told where its median, times the share of the time that such readings take,
+// is 1.5 % of the range or more: a lag of 2.5 degrees, or 3 % of a sine's amplitude. A crest that
+// is cut off and filtered afterwards is not seen.
+//
+// Isolated readings, as where an echo is lost: one or two samples leave the line between their
+// neighbours by a twentieth of the range or more, by 8 times what half the samples leave theirs by
+// or more, and by 5 times what these neighbours leave theirs by or more. They are told where all
+// samples are off by 1 % of the mean departure from the mean in the mean. Flats are sought without
+// them.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "verification/series/time_series.hpp"
@@ -48,11 +57,19 @@ struct SparseReadings {
   double hidden;    // by which a held value is off in the mean, or a crest is cut off
 };
 
+struct IsolatedReadings {
+  std::size_t count;
+  double time;         // of the one that leaves its neighbours most [s]
+  double hidden;       // by which a sample of the series is off in the mean
+  bool above = false;  // its neighbours; else below
+};
+
 struct SensorLimits {
   double range = 0;  // from the lowest to the highest value
   std::optional<double> step;
   std::optional<FlatExtreme> highest, lowest;
   std::optional<SparseReadings> sparse = {};
+  std::optional<IsolatedReadings> isolated = {};
 };
 
 // Requires a series that cut_to_window() has checked. Of more than 20000 samples every k-th serves

@@ -129,6 +129,27 @@ TEST(RowUncertainty, OfAnInputIsTheTimeThatTheCandidateLeavesTheBandFor) {
   EXPECT_NEAR(row.contributions().input.known(), outside, 0.02) << row.judged().message;
 }
 
+// Waves that are within the band at both steps leave it as far as the refinement leads.
+TEST(RowUncertainty, OfAShareIsWhatItsSeriesUncertaintyLeavesTheBandBy) {
+  for (const double coarse_error : {0.004, 0.04}) {
+    OfARecord row(Metric::outside_band, "whole", "1", 0.05, coarse_error);
+    const TimeSeries wave = elevation_of({});
+    RunResult& record = row.runs.results["record"];
+    std::get<RecordRun>(row.definition.runs.at(1).solver).has_band = true;
+    const double around = 0.1 * *std::max_element(wave.value.begin(), wave.value.end());
+    for (const auto& [suffix, by] : {std::pair{lower_edge, -around}, {upper_edge, around}}) {
+      record.series.push_back(wave);
+      record.series.back().name += suffix;
+      for (double& value : record.series.back().value) value += by;
+    }
+    EXPECT_EQ(row.judged().value.value, 0);
+    const bool is_converged = coarse_error < 0.01;  // three times 4 % exceeds the band of 10 %
+    EXPECT_EQ(row.contributions().discretisation.known() == 0, is_converged);
+    EXPECT_EQ(row.judged().verdict, is_converged ? Verdict::pass : Verdict::inconclusive)
+        << row.judged().message;
+  }
+}
+
 // At both bounds the liquid moves as at the value itself, or as high as there.
 TEST(RowUncertainty, OfAnInputSeesWhatTurnsBetweenItsBounds) {
   for (const double turns : {360.0, 4680.0}) {
@@ -167,6 +188,19 @@ double largest_of(double half_width, const Change& change) {
   for (int i = -1000; i <= 1000; ++i)
     largest = std::max(largest, std::abs(change(i * half_width / 1000)));
   return largest;
+}
+
+// Half a centimetre of height is 49 Pa of water, half a centimetre along a long wave is little.
+TEST(RowUncertainty, OfAProbesPlaceIsThatOfItsHeightToo) {
+  OfARecord row(Metric::mean_offset, "whole", "Pa", 1, 0);
+  row.definition.probes = {{"u", 0.5, 0.2}};
+  row.definition.gate[0].quantity = "pressure@u";
+  std::get<RecordRun>(row.definition.runs.at(1).solver).quantity = "pressure@u";
+  row.definition.inputs = {{Input::sensor_position, 0.005, "nobody"}};
+  for (const char* name : {"theory", "record", "particles", "coarse_particles"})
+    row.runs.results[name] =
+        execute(row.definition, row.definition.runs.at(0), {}, [](double, double) {});
+  EXPECT_NEAR(row.contributions().input.known(), 0.005 * 9.81 * 998, 1) << row.judged().message;
 }
 
 TEST(RowUncertainty, OfAPlaceIsTheLargestOfAllPlacesOrUnknown) {

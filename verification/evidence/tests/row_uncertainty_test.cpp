@@ -337,7 +337,7 @@ TEST(RowUncertainty, OfARecordIsWhatItsPublisherStates) {
   const CaseAssessment assessment = assess(definition, runs);
   const double amplitude = assessment.comparisons.at(0).modes.at(0).reference.amplitude.value;
   EXPECT_NEAR(assessment.gate.at(0).judgement.value().contributions.reference.known(),
-              0.0005 / amplitude, 1e-12);
+              0.0005 / (amplitude - 0.0005), 1e-12);
   // A record that is all too high by its half width, over its rms about its mean.
   double squares = 0;
   const std::vector<double> deviations = without_mean(cut_to_window(wave, {1, 20}).value);
@@ -350,6 +350,50 @@ TEST(RowUncertainty, OfARecordIsWhatItsPublisherStates) {
     EXPECT_FALSE(outcome.judgement.value().contributions.reference.half_width.has_value());
     EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
     EXPECT_NE(outcome.message.find("the record theory declares no uncertainty"), std::string::npos);
+  }
+}
+
+// A wave that is half as high as the record's is as high as the record less half of it: the change
+// is that of the record measured again, also of a candidate that is off.
+TEST(RowUncertainty, OfARecordReachesAsFarAsTheRecordMayBeOff) {
+  for (const double share : {0.05, 0.2, 0.5})
+    for (const double error : {0.0, 0.3, -0.4}) {
+      OfARecord row(Metric::amplitude_error, "forced", "1", 0.99, 0.01);
+      row.runs.results["particles"] = result_of("particles", scaled(elevation_of({}), 1 + error));
+      auto& declared = std::get<RecordRun>(row.definition.runs.at(1).solver).uncertainty;
+      const double amplitude =
+          assess(row.definition, row.runs).comparisons.at(0).modes.at(0).reference.amplitude.value;
+      declared = share * amplitude;
+      const double own = row.judged().value.value, counted = row.contributions().reference.known();
+      row.runs.results["record"] = result_of("record", scaled(elevation_of({}), 1 - share));
+      EXPECT_NEAR(counted, row.judged().value.value - own, 1e-6) << share << " " << error;
+    }
+  OfARecord row(Metric::phase_lag, "forced", "deg", 90, 0.01);
+  const double amplitude =
+      assess(row.definition, row.runs).comparisons.at(0).modes.at(0).reference.amplitude.value;
+  std::get<RecordRun>(row.definition.runs.at(1).solver).uncertainty = amplitude / 2;
+  EXPECT_NEAR(row.contributions().reference.known(), 30, 1e-6);
+}
+
+// Of a quantity whose modes nobody fits, samples between which the wave turns.
+TEST(RowUncertainty, OfACoarseCandidateWithoutModesIsDoubted) {
+  for (const std::size_t every : {1, 2, 20}) {
+    OfARecord row(Metric::rms_error, "whole", "1", 0.99, 0.01);
+    row.definition.natural_modes = 0;
+    row.definition.motion.surge =
+        TableMotion{.file = "", .time = {0, 10, 20}, .value = {0, 0.01, 0}};
+    const TimeSeries wave = elevation_of({});
+    TimeSeries coarse{wave.name, wave.unit, {}, {}};
+    for (std::size_t i = 0; i < wave.time.size(); i += every) {
+      coarse.time.push_back(wave.time[i]);
+      coarse.value.push_back(wave.value[i]);
+    }
+    row.runs.results["particles"] = result_of("particles", coarse);
+    const GateOutcome outcome = row.judged();
+    EXPECT_EQ(outcome.message.find("the candidate has no sample between") != std::string::npos,
+              every == 20)
+        << outcome.message;
+    EXPECT_EQ(outcome.verdict == Verdict::inconclusive, every == 20) << outcome.message;
   }
 }
 
@@ -605,7 +649,13 @@ TEST(RowUncertainty, OfARefinementCountsForAnImprovementToo) {
     RunDefinition bad = row.definition.runs.at(2);
     bad.name = "bad";
     row.definition.runs.push_back(bad);
-    for (const auto& [name, error] : {std::pair{"particles", 0.01}, {"bad", 0.1}}) {
+    RunDefinition coarse = row.definition.runs.at(3);
+    coarse.name = "coarse_bad";
+    row.definition.runs.push_back(coarse);
+    row.definition.refinements.push_back(
+        {"of_bad", RefinedNumber::particle_spacing, {"coarse_bad", "bad"}});
+    for (const auto& [name, error] :
+         {std::pair{"particles", 0.01}, {"bad", 0.1}, {"coarse_bad", 0.11}}) {
       row.runs.results[name] = result_of(name, scaled(elevation_of({}), 1 + error));
       row.runs.status[name] = {RunState::finished, ""};
     }
@@ -622,7 +672,13 @@ TEST(RowUncertainty, OfTheSamplesCountsForTheRunToImproveOnToo) {
   RunDefinition bad = row.definition.runs.at(2);
   bad.name = "bad";
   row.definition.runs.push_back(bad);
-  row.runs.status["bad"] = {RunState::finished, ""};
+  RunDefinition coarse = row.definition.runs.at(3);
+  coarse.name = "coarse_bad";
+  row.definition.runs.push_back(coarse);
+  row.definition.refinements.push_back(
+      {"of_bad", RefinedNumber::particle_spacing, {"coarse_bad", "bad"}});
+  row.runs.status["bad"] = row.runs.status["coarse_bad"] = {RunState::finished, ""};
+  row.runs.results["coarse_bad"] = result_of("coarse_bad", scaled(elevation_of({}), 0.899));
   row.runs.results["particles"] = result_of("particles", scaled(elevation_of({}), 1.03));
   TimeSeries clipped = elevation_of({});
   row.runs.results["bad"] = result_of("bad", scaled(clipped, 0.9));

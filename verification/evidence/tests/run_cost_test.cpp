@@ -39,5 +39,29 @@ TEST(LeftOutAsCompiling, IsToldOfTheRunWithTheLargestShareAndDoubtfulAboveOneHal
             "not count");
 }
 
+// A program that keeps its result beside it is fast when it is timed.
+TEST(LeftOutAsCompiling, DoubtsACostThatTheRunItselfExceeds) {
+  CaseDefinition definition = sample_case();
+  RunDefinition run{};
+  run.name = "fine";
+  run.solver = ExternalRun{.command = {"./solve"}, .method = "mine", .particle_spacing = 0.02};
+  definition.runs.push_back(run);
+  GateRow row{};
+  row.candidate = "fine";
+  for (const auto& [first, is_doubted] :
+       {std::pair{0.8, true}, {0.12, false}, {0.06, false}, {0.01, false}}) {
+    CaseRuns runs;
+    runs.results["fine"].cost.user_time = first;
+    for (const double again : {0.058, 0.06}) {
+      RunCost cost{};
+      cost.user_time = again;
+      runs.timings["fine"].push_back(cost);
+    }
+    EXPECT_EQ(left_out_as_compiling(definition, runs, row).find("doubtful") != std::string::npos,
+              is_doubted)
+        << first;
+  }
+}
+
 }  // namespace
 }  // namespace slosh::run_cost_test

@@ -302,15 +302,19 @@ TEST(Gate, DoesNotCompareAModeThatIsNotResolved) {
   lost.modes[0].candidate.resolved = false;
   lost_reference.modes[0].reference.resolved = false;
   EXPECT_EQ(judge(amplitude_row, lost).verdict, Verdict::not_compared);
-  EXPECT_EQ(judge(amplitude_row, lost).message, "the candidate's mode forced cannot be resolved");
+  EXPECT_EQ(judge(amplitude_row, lost).message,
+            "the candidate's mode forced cannot be resolved; expected a longer window, or "
+            "natural_modes = 0");
   EXPECT_EQ(judge(amplitude_row, lost_reference).verdict, Verdict::not_compared);
   EXPECT_EQ(judge(row_of(Metric::normalised_rms, "whole", "1", 0.2), lost).verdict, Verdict::pass);
   Comparison beating = comparison_of(0.01);
   beating.modes[0].beside = 2 * std::numbers::pi * 0.25;
   EXPECT_EQ(judge(amplitude_row, beating).verdict, Verdict::not_compared);
-  EXPECT_NE(judge(amplitude_row, beating)
-                .message.find("cannot separate the mode forced from a component at 0.25 Hz"),
-            std::string::npos);
+  EXPECT_NE(
+      judge(amplitude_row, beating)
+          .message.find("cannot separate the mode forced from a component at 0.25 Hz; expected a "
+                        "longer window, or natural_modes = 0"),
+      std::string::npos);
 }
 
 TEST(Gate, DoesNotPassABoundThatACandidateOfNothingMeets) {
@@ -415,6 +419,37 @@ TEST_F(GateOnImprovement, NeedsMoreThanBothIntervalsUnlessItReachesZero) {
   EXPECT_EQ(verdict(0.0100, 0.0115), Verdict::pass);
   EXPECT_EQ(verdict(0.0008, 0.0011), Verdict::pass);
   EXPECT_EQ(verdict(0.0008, 0.0009), Verdict::inconclusive);
+}
+
+// Whatever stands still has -1.
+TEST_F(GateOnImprovement, MustBeBetterThanNothing) {
+  EXPECT_EQ(verdict(-0.9, 1.3), Verdict::pass);
+  EXPECT_EQ(verdict(-1, 1.3), Verdict::inconclusive);
+  EXPECT_EQ(verdict(-0.9995, -1.3), Verdict::inconclusive);  // +- 0.001
+  EXPECT_EQ(verdict(1.2, 1.3), Verdict::inconclusive);
+  EXPECT_NE(outcome(-1, 1.3, {}).message.find("a candidate of nothing is as good"),
+            std::string::npos);
+}
+
+TEST_F(GateOnImprovement, DoesNotPassWhereTheOtherRunsUncertaintyIsUnknown) {
+  const FindComparison find = [&](const std::string& run, const auto&,
+                                  const auto&) -> const Comparison& {
+    static const Comparison fine = comparison_of(0.01), coarse = comparison_of(0.1);
+    return run == "sph" ? fine : coarse;
+  };
+  for (const std::string unknown_of : {"sph", "sph_coarse"}) {
+    const GateOutcome found = evaluate(
+        row, all_finished(), {find, no_series, {}, [&](const GateRow& of) {
+                                UncertaintyContributions all;
+                                if (of.candidate == unknown_of)
+                                  all.discretisation =
+                                      Contribution::unknown("nobody refined " + unknown_of);
+                                return all;
+                              }});
+    EXPECT_EQ(found.verdict, Verdict::inconclusive) << unknown_of;
+    EXPECT_NE(found.message.find("; not included: nobody refined " + unknown_of), std::string::npos)
+        << found.message;
+  }
 }
 
 // A reference that is off by d gives errors that are off by d. The two are as good as one another
@@ -884,6 +919,48 @@ TEST_F(GateOnOwnSeries, JudgesTheNoiseInASeriesInAShareOfItsDeviation) {
   smooth.unit = "m";
   for (std::size_t i = 0; i < smooth.time.size(); ++i) smooth.value[i] = std::sin(smooth.time[i]);
   EXPECT_EQ(judge_series(smooth).verdict, Verdict::pass);
+}
+
+// At 6.7 samples a period the crest may lie 10 % above the highest, at 40 samples 0.3 %.
+TEST_F(GateOnOwnSeries, DoubtsALargestValueThatTheSamplesMayMiss) {
+  row = row_of(Metric::largest_magnitude, "whole", "1", 0);
+  row.reference.clear();
+  row.quantity = "wall_gap";
+  for (const double interval : {0.3, 0.05}) {
+    TimeSeries wave{"wall_gap", "1", {}, {}};
+    for (int i = 0; i * interval < 10; ++i) {
+      wave.time.push_back(i * interval);
+      wave.value.push_back(0.65 * std::sin(std::numbers::pi * (i + 0.5) * interval));
+    }
+    row.limit = 1.02 * *std::max_element(wave.value.begin(), wave.value.end());
+    EXPECT_EQ(judge_series(wave).verdict, interval < 0.1 ? Verdict::pass : Verdict::inconclusive);
+    row.limit = 0.8;
+    EXPECT_EQ(judge_series(wave).verdict, Verdict::pass);
+  }
+}
+
+// An error that is reached by less than the reference may be off is not known to be reached.
+TEST(Gate, DoubtsACostWhoseErrorTheReferenceDoesNotTell) {
+  GateRow row = row_of(Metric::cost_to_reach, "whole", "s", 30);
+  row.error = 0.12;
+  const Comparison comparison = comparison_of(0);  // of a normalised rms of 10 %
+  const FindComparison find = [&](const auto&, const auto&, const auto&) -> const Comparison& {
+    return comparison;
+  };
+  for (const auto& [reference, verdict] :
+       {std::pair{Contribution(0.019), Verdict::pass},
+        {Contribution(0.021), Verdict::inconclusive},
+        {Contribution::unknown("the record declares none"), Verdict::inconclusive}}) {
+    GateEvidence evidence{find, no_series, {}, [&](const GateRow& of) {
+                            UncertaintyContributions all;
+                            if (of.metric == Metric::normalised_rms) all.reference = reference;
+                            return all;
+                          }};
+    evidence.cost = [](const GateRow&) {
+      return CostAtError{Reach::between, 5, 0, 0, {"sph_coarse", "sph"}, {}};
+    };
+    EXPECT_EQ(evaluate(row, all_finished(), evidence).verdict, verdict) << reference.basis;
+  }
 }
 
 // Liquid that starts 1e-5 m above its still level, recorded from 0 s and judged from 5 s on.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace slosh::reading_doubts_test {
 namespace {
 
@@ -35,6 +37,20 @@ TEST(ReadingDoubts, AreOfReadingsThatAreHeldOrJoinedByLines) {
     EXPECT_NE(doubts[0].find(held ? "holds each reading for 0.1 s" : "readings 0.1 s apart"),
               std::string::npos)
         << doubts[0];
+  }
+}
+
+// An impact is one too: a pressure that rises, and any load.
+TEST(ReadingDoubts, TellSamplesThatLeaveTheirNeighboursUnlessTheyMayBeImpacts) {
+  for (const auto& [unit, above, is_told] : {std::tuple{"m", true, true},
+                                             {"m", false, true},
+                                             {"Pa", false, true},
+                                             {"Pa", true, false},
+                                             {"N/m", false, false},
+                                             {"N/m", true, false}}) {
+    SensorLimits limits{100, {}, {}, {}};
+    limits.isolated = IsolatedReadings{7, 1.5, 0.2, above};
+    EXPECT_EQ(doubts_of_readings(readings(unit, limits)).size(), is_told ? 1U : 0U) << unit;
   }
 }
 

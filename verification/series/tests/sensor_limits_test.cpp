@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "verification/tests/synthetic_series.hpp"
@@ -196,6 +197,81 @@ TEST(SensorLimits, DoNotTakeFewOrLostSamplesARestOrASmoothWaveForSparseReadings)
         part.value.push_back(series.value[i]);
       }
     EXPECT_FALSE(sensor_limits(part).sparse) << interval;
+  }
+}
+
+// In noise of a record's digits, and where a part of the window alone is fine.
+TEST(SensorLimits, FindHeldAndJoinedReadingsInNoiseAndInAPartOfTheWindow) {
+  const double interval = 0.02;
+  for (const double noise : {0.0, 2e-4, 4e-3})
+    for (const double begin_of_fine : {9.0, 16.0, 20.0}) {
+      std::mt19937 generator(5);
+      std::normal_distribution<double> normal;
+      const auto held = [&](double t) {
+        const double at = t < begin_of_fine ? std::floor(t / 0.16 + 1e-9) * 0.16 : t;
+        return wave(at) + noise * normal(generator);
+      };
+      const SensorLimits found = sensor_limits(sampled(held, 0, 20, interval));
+      ASSERT_TRUE(found.sparse) << noise << " " << begin_of_fine;
+      EXPECT_TRUE(found.sparse->held);
+      EXPECT_NEAR(found.sparse->interval, 0.16, 0.02);
+    }
+  std::mt19937 generator(5);
+  std::normal_distribution<double> normal;
+  const auto line = [&](double t) {
+    const double begin = std::floor(t / 0.4 + 1e-9) * 0.4;
+    return std::lerp(wave(begin), wave(begin + 0.4), (t - begin) / 0.4) + 2e-4 * normal(generator);
+  };
+  EXPECT_TRUE(sensor_limits(sampled(line, 0, 20, interval)).sparse);
+}
+
+// Of a wave, a wave between rests, and a wall's pressure that falls dry.
+TEST(SensorLimits, DoNotTakeNoiseOrRestsForSparseReadings) {
+  const auto intermittent = [](double t) { return std::pow(std::max(wave(t), 0.0), 4); };
+  const auto impacts = [](double t) {
+    const double since = std::fmod(t, period);
+    return since < 0.7 ? 0 : std::exp(-(since - 0.7) / 0.1);
+  };
+  for (const auto& of : {std::function<double(double)>(wave), {intermittent}, {impacts}})
+    for (const double interval : {0.001, 0.02, 0.1})
+      for (const double noise : {0.0, 1e-3, 0.01, 0.1, 1.0})
+        for (unsigned seed = 1; seed <= 10; ++seed) {
+          std::mt19937 generator(seed);
+          std::normal_distribution<double> normal;
+          const auto noisy = [&](double t) { return of(t) + noise * normal(generator); };
+          const SensorLimits found = sensor_limits(sampled(noisy, 0, 40, interval));
+          EXPECT_FALSE(found.sparse) << interval << " " << noise;
+          EXPECT_FALSE(found.isolated && !found.isolated->above) << interval << " " << noise;
+        }
+}
+
+TEST(SensorLimits, FindIsolatedReadingsAndAClippedCrestBelowASpike) {
+  for (const double interval : {0.005, 0.02, 0.05})
+    for (const int every : {6, 10, 30})
+      for (const double noise : {0.0, 0.01}) {
+        std::mt19937 generator(2);
+        std::normal_distribution<double> normal;
+        int count = 0;
+        const auto lost = [&](double t) {
+          return ++count % every == 0 ? 0 : wave(t) + noise * normal(generator);
+        };
+        const SensorLimits found = sensor_limits(sampled(lost, 0, 20, interval));
+        ASSERT_TRUE(found.isolated) << interval << " " << every << " " << noise;
+        EXPECT_NEAR(found.isolated->hidden, 0.64 / every, 0.2 / every);
+      }
+  for (const int length : {1, 2}) {
+    int count = 0;
+    const auto spiked = [&](double t) {
+      ++count;
+      if (count > 500 && count <= 500 + length) return 1.3;
+      if (count > 700 && count <= 700 + length) return -1.3;
+      return std::clamp(wave(t), -0.8, 0.8);
+    };
+    const SensorLimits found = sensor_limits(sampled(spiked, 0, 20, 0.02));
+    ASSERT_TRUE(found.highest && found.lowest) << length;
+    EXPECT_EQ(found.highest->value, 0.8);
+    EXPECT_EQ(found.lowest->value, -0.8);
+    EXPECT_FALSE(found.isolated);  // of 1000 readings, too few to matter
   }
 }
 
