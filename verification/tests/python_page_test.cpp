@@ -6,7 +6,6 @@
 #include <regex>
 #include <sstream>
 
-#include "reports/model/file_formats.hpp"
 #include "reports/model/report_files.hpp"
 #include "verification/tests/documents.hpp"
 #include "verification/tests/small_campaign.hpp"
