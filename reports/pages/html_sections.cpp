@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <map>
 
-#include "reports/model/file_formats.hpp"
+#include "reports/model/report_files.hpp"
 #include "reports/pages/page_links.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/pages/text_markup.hpp"

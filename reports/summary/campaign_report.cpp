@@ -10,7 +10,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/glance_figure.hpp"
 #include "reports/figures/paper_panels.hpp"
-#include "reports/model/side_by_side.hpp"
+#include "reports/model/report_files.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
 #include "reports/summary/verdict_matrix.hpp"
