@@ -7,7 +7,7 @@
 #include <boost/property_tree/xml_parser.hpp>
 #include <cmath>
 #include <sstream>
-#include <string_view>
+#include <string>
 
 #include "reports/pages/text_markup.hpp"
 #include "verification/files/foreign/legible_text.hpp"
@@ -17,42 +17,27 @@ namespace {
 
 constexpr const char* status_mark = "<!-- slosh gate: exit status ";
 
-int badness(const GateEntry& entry) {
-  switch (entry.outcome) {
-    case GateOutcomeKind::solver_failed:
-      return 5;
-    case GateOutcomeKind::violated:
-      return 4;
-    case GateOutcomeKind::not_compared:
-      return 3;
-    case GateOutcomeKind::inconclusive:
-    case GateOutcomeKind::lost:
-      return 2;
-    case GateOutcomeKind::pass:
-    case GateOutcomeKind::skipped:
-      return entry.loosened ? 1 : 0;
-  }
-  return 0;
+// How documents show an outcome, in the order of GateOutcomeKind: its word, how bad it is, and its
+// element in JUnit.
+struct ShownOutcome {
+  const char* word;
+  int badness;
+  const char* element;
+};
+constexpr ShownOutcome shown_outcomes[]{{"pass", 0, ""},
+                                        {"inconclusive", 2, "failure"},
+                                        {"violated", 4, "failure"},
+                                        {"not compared", 3, "error"},
+                                        {"solver failed", 5, "error"},
+                                        {"skipped", 0, "skipped"},
+                                        {"lost", 2, "failure"}};
+
+const ShownOutcome& shown(const GateEntry& entry) {
+  return shown_outcomes[static_cast<std::size_t>(entry.outcome)];
 }
 
-const char* word(GateOutcomeKind outcome) {
-  switch (outcome) {
-    case GateOutcomeKind::solver_failed:
-      return "**solver failed**";
-    case GateOutcomeKind::violated:
-      return "**violated**";
-    case GateOutcomeKind::not_compared:
-      return "**not compared**";
-    case GateOutcomeKind::inconclusive:
-      return "**inconclusive**";
-    case GateOutcomeKind::lost:
-      return "**lost**";
-    case GateOutcomeKind::pass:
-      return "pass";
-    case GateOutcomeKind::skipped:
-      return "skipped";
-  }
-  return "";
+int badness(const GateEntry& entry) {
+  return std::max(shown(entry).badness, entry.loosened ? 1 : 0);
 }
 
 bool is_worth_a_line(const GateEntry& entry) {
@@ -81,43 +66,26 @@ Xml properties_of(const GateEntry& entry) {
   return properties;
 }
 
-// The element and the type of a row; both are empty for one that passes, the type of a skipped one.
-struct Element {
-  std::string_view name, type;
-};
-
-Element element_of(GateOutcomeKind outcome, const GateDocument& document) {
-  switch (outcome) {
-    case GateOutcomeKind::violated:
-      return {"failure", "violated"};
-    case GateOutcomeKind::inconclusive:
-      return {document.inconclusive_passes ? "skipped" : "failure", "inconclusive"};
-    case GateOutcomeKind::lost:
-      return {"failure", "lost"};
-    case GateOutcomeKind::not_compared:
-      return {"error", "not compared"};
-    case GateOutcomeKind::solver_failed:
-      return {"error", "solver failed"};
-    case GateOutcomeKind::skipped:
-      return {"skipped", ""};
-    case GateOutcomeKind::pass:
-      break;
-  }
-  return {};
+// Empty for a row that passes.
+std::string element_of(const GateEntry& entry, const GateDocument& document) {
+  const bool passes =
+      entry.outcome == GateOutcomeKind::inconclusive && document.inconclusive_passes;
+  return passes ? "skipped" : shown(entry).element;
 }
 
-Xml case_of(const GateEntry& entry, const Element& element) {
+Xml case_of(const GateEntry& entry, const std::string& element) {
   Xml test;
   test.put("<xmlattr>.classname", legible(entry.group));
   test.put("<xmlattr>.name", legible(entry.name));
   test.put("<xmlattr>.file", legible(entry.file));
   test.put("<xmlattr>.line", entry.line);
   test.add_child("properties", properties_of(entry));
-  if (!element.name.empty()) {
+  if (!element.empty()) {
     Xml told;
     told.put("<xmlattr>.message", legible(entry.message));
-    if (!element.type.empty()) told.put("<xmlattr>.type", std::string(element.type));
-    test.add_child(std::string(element.name), told);
+    if (entry.outcome != GateOutcomeKind::skipped)
+      told.put("<xmlattr>.type", std::string(shown(entry).word));
+    test.add_child(element, told);
   }
   return test;
 }
@@ -125,11 +93,11 @@ Xml case_of(const GateEntry& entry, const Element& element) {
 struct Counts {
   int tests = 0, failures = 0, errors = 0, skipped = 0;
 
-  void add(const Element& element) {
+  void add(const std::string& element) {
     ++tests;
-    failures += element.name == "failure";
-    errors += element.name == "error";
-    skipped += element.name == "skipped";
+    failures += element == "failure";
+    errors += element == "error";
+    skipped += element == "skipped";
   }
   void put_on(Xml& element) const {
     element.put("<xmlattr>.tests", tests);
@@ -161,8 +129,9 @@ std::string gate_markdown(const GateDocument& document) {
       ++(entry->outcome == GateOutcomeKind::skipped ? skipped : passed);
       continue;
     }
-    lines += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", word(entry->outcome),
-                         markdown_text(entry->kind), markdown_text(entry->group),
+    const auto [word, bad, element] = shown(*entry);
+    lines += fmt::format("| {0}{1}{0} | {2} | {3} | {4} | {5} | {6} | {7} |\n", bad > 0 ? "**" : "",
+                         word, markdown_text(entry->kind), markdown_text(entry->group),
                          markdown_text(entry->name), markdown_text(entry->message),
                          markdown_text(entry->uncertainties), markdown_text(entry->moved));
   }
@@ -202,7 +171,7 @@ std::string junit_xml(const GateDocument& document) {
     suite.put("<xmlattr>.name", legible(group));
     for (const GateEntry& entry : document.entries) {
       if (entry.group != group) continue;
-      const Element element = element_of(entry.outcome, document);
+      const std::string element = element_of(entry, document);
       counts.add(element);
       all.add(element);
       suite.add_child("testcase", case_of(entry, element));
