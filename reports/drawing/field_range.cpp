@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "reports/drawing/axes.hpp"
-#include "reports/drawing/text_lines.hpp"
+#include "reports/drawing/figure_layout.hpp"
 
 namespace slosh::reports {
 namespace {

@@ -9,6 +9,17 @@
 
 namespace slosh::reports {
 
+// Texts as gnuplot draws them: how wide they are, and where they break into lines.
+
+// The approximate width [px] of a text as drawn, to lay labels out; each UTF-8 character counts
+// once.
+double text_width(const std::string& text, double character_width);
+
+// Breaks a text into lines of at most this width [px], as gnuplot does not. A line ends at the last
+// comma within the width or, where there is none, at the last blank within it. A word that is wider
+// has a line of its own.
+std::vector<std::string> wrapped(std::string text, double width, double character_width);
+
 inline constexpr int legend_row_height = 20;  // px, also of a row of marker labels
 
 // The size of the canvas and of its text. A small figure has no legend.

@@ -30,10 +30,11 @@ std::string run_gnuplot_within(double time_limit, const std::string& script,
         "gnuplot-nox)");
   }
   const auto program = scratch_directory / (figure_id + ".gp");
+  const auto output = scratch_directory / (figure_id + ".out");
   write_text(program, script);
   try {
     ChildProcess child({gnuplot.string(), "--default-settings", program.string()},
-                       {.splits_errors = true});
+                       {.log_file = output, .splits_errors = true});
     if (!child.ends_within(std::chrono::duration<double>(time_limit)))
       throw ReportError(
           fmt::format("figure '{}': gnuplot was ended at its time limit of {:g} s: {}", figure_id,
@@ -41,7 +42,7 @@ std::string run_gnuplot_within(double time_limit, const std::string& script,
     if (child.wait_status() != 0)
       throw ReportError(fmt::format("figure '{}': gnuplot ended with status {}: {}", figure_id,
                                     child.exit_status(), child.errors()));
-    return child.output();
+    return read_text(output);
   } catch (const std::system_error& failure) {
     throw ReportError(
         fmt::format("figure '{}': gnuplot did not start: {}", figure_id, failure.what()));

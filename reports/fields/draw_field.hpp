@@ -4,11 +4,19 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "reports/drawing/run_gnuplot.hpp"
+#include "reports/fields/field_layout.hpp"
 #include "reports/model/report_model.hpp"
 
 namespace slosh::reports {
+
+// The line around a tank in its cell: its outline, moved out by half the line's width, so that the
+// line is outside the water.
+
+// Returns its corners [px]; the last one is joined to the first.
+std::vector<Pixel> tank_line(const FieldPanel& panel, const FieldLayout& layout);
 
 struct DrawnField {
   std::string picture;  // the whole file

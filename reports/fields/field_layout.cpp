@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "reports/drawing/axes.hpp"
-#include "reports/drawing/text_lines.hpp"
+#include "reports/drawing/figure_layout.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -22,12 +22,12 @@ constexpr double round_off = 1e-9;       // [px]
 constexpr double label_character = 8.8;  // [px], of gnuplot's 'sans,12' on average (measured)
 
 // The rectangle that holds all tanks as they are rolled [m from the axis].
-struct Extent {
+struct PlotExtent {
   double left = std::numeric_limits<double>::infinity(), right = -left, bottom = left, top = -left;
 };
 
-Extent rolled_tanks(const FieldFigure& figure) {
-  Extent extent;
+PlotExtent rolled_tanks(const FieldFigure& figure) {
+  PlotExtent extent;
   for (const FieldPanel& panel : figure.panels) {
     const double cosine = std::cos(panel.angle), sine = std::sin(panel.angle);
     for (const double x : {-panel.axis_x, panel.tank_length - panel.axis_x}) {
@@ -80,7 +80,7 @@ FieldLayout grid_of_cells(const FieldFigure& figure, double highest_tank, double
   const int panels = static_cast<int>(figure.panels.size());
   layout.columns = std::min(figure.columns, panels);
   layout.rows = (panels + layout.columns - 1) / layout.columns;
-  const Extent extent = rolled_tanks(figure);
+  const PlotExtent extent = rolled_tanks(figure);
   const double width = extent.right - extent.left, height = extent.top - extent.bottom;
   layout.scale = std::min(widest_tank / width, highest_tank / height);
   layout.cell_width = static_cast<int>(std::ceil(layout.scale * width + 2 * wall - round_off));

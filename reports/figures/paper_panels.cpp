@@ -18,7 +18,7 @@
 #include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/papers/claim_evidence.hpp"
+#include "verification/papers/measured_values.hpp"
 
 namespace slosh {
 namespace {
@@ -40,7 +40,7 @@ std::string run_of_scheme(const CaseAssessment& assessment, const Paper& paper,
   for (const RunDefinition& run : definition.runs) {
     const auto* sph = std::get_if<SphRun>(&run.solver);
     if (sph && family(run) == scheme && !is_changed(run) &&
-        std::abs(sph->particle_spacing - paper.particle_spacing) < round_off &&
+        std::abs(sph->particle_spacing - paper.particle_spacing_m) < round_off &&
         sph->surface_particle_spacing == sph->particle_spacing &&
         has_series(assessment.runs, run.name, quantity))
       return run.name;
@@ -105,8 +105,8 @@ Figure drawn(const CaseAssessment& assessment, const Paper& paper, const PaperFi
     const auto over_depth = figure.without_dimensions ? axes_over_depth(definition, quantity)
                                                       : std::optional<HistoryAxes>{};
     const HistoryAxes axes = over_depth.value_or(axes_with_units(definition, quantity));
-    const auto [begin, end] = figure.time_span.first < figure.time_span.second
-                                  ? figure.time_span
+    const auto [begin, end] = figure.time_span_s.first < figure.time_span_s.second
+                                  ? figure.time_span_s
                                   : std::pair{0.0, definition.duration};
     panel.title = title_of(paper, figure, shown.title, definition);
     panel.x_label = axes.x_label;

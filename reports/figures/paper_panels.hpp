@@ -5,7 +5,7 @@
 
 #include "reports/model/report_model.hpp"
 #include "verification/assessment/case_assessment.hpp"
-#include "verification/papers/paper_figures.hpp"
+#include "verification/papers/paper_sections.hpp"
 
 namespace slosh {
 

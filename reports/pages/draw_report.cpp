@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "reports/model/report_files.hpp"
-#include "reports/model/side_by_side.hpp"
 
 namespace slosh::reports {
 

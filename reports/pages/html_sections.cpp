@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <map>
 
-#include "reports/model/file_formats.hpp"
+#include "reports/model/report_files.hpp"
 #include "reports/pages/page_links.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/pages/text_markup.hpp"
@@ -23,19 +23,9 @@ std::vector<bool> numeric_columns(const Table& table) {
 }
 
 const char* cell_class(CellVerdict verdict, bool numeric) {
-  switch (verdict) {
-    case CellVerdict::good:
-      return "good";
-    case CellVerdict::bad:
-      return "bad";
-    case CellVerdict::unsure:
-      return "unsure";
-    case CellVerdict::neutral:
-      return "neutral";
-    case CellVerdict::none:
-      break;
-  }
-  return numeric ? "number" : "text";
+  static constexpr const char* classes[]{"text", "good", "bad", "unsure", "neutral"};
+  return verdict == CellVerdict::none && numeric ? "number"
+                                                 : classes[static_cast<std::size_t>(verdict)];
 }
 
 // The verdict's word is separate from the text after it. `address` is empty for no link.

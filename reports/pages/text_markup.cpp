@@ -113,34 +113,16 @@ CellVerdict cell_verdict(const std::string& cell) {
   return neutral.contains(word) ? CellVerdict::neutral : CellVerdict::none;
 }
 
+// Both in the order of the enumeration.
 std::string verdict_sign(CellVerdict verdict) {
-  switch (verdict) {
-    case CellVerdict::good:
-      return "✓";
-    case CellVerdict::bad:
-      return "✗";
-    case CellVerdict::unsure:
-      return "?";
-    case CellVerdict::neutral:
-      return "–";
-    case CellVerdict::none:
-      break;
-  }
-  return "";
+  static constexpr const char* signs[]{"", "✓", "✗", "?", "–"};
+  return signs[static_cast<std::size_t>(verdict)];
 }
 
 OutcomeSign outcome_sign(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::pass:
-      return {"✓", "Pass"};
-    case Outcome::inconclusive:
-      return {"?", "Inconclusive"};
-    case Outcome::not_compared:
-      return {"✗", "Not compared"};
-    case Outcome::fail:
-      break;
-  }
-  return {"✗", "Fail"};
+  static const OutcomeSign signs[]{
+      {"✓", "Pass"}, {"?", "Inconclusive"}, {"✗", "Not compared"}, {"✗", "Fail"}};
+  return signs[static_cast<std::size_t>(outcome)];
 }
 
 bool is_numeric(const std::string& cell) {

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <kainjow/mustache.hpp>
+#include <string>
+#include <vector>
 
+#include "reports/drawing/draw_figure.hpp"
 #include "reports/drawing/figure_palette.hpp"
-#include "reports/pages/glance_markup.hpp"
+#include "reports/drawing/gnuplot_curves.hpp"
+#include "reports/model/report_model.hpp"
 #include "reports/pages/page_links.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/pages/text_markup.hpp"
@@ -13,7 +17,77 @@
 namespace slosh::reports {
 namespace {
 
+// The list of a report's pages with their verdicts, and for each the small figure of its main
+// result: the report at a glance, as data of the HTML templates.
+
 namespace mustache = kainjow::mustache;
+
+// gnuplot's "(14,3)" as SVG's "14,3".
+std::string svg_dash(const std::string& dash) {
+  return dash == "solid" ? "none" : dash.substr(1, dash.size() - 2);
+}
+
+// One entry for each label of all glances.
+mustache::data legend_data(const Report& report) {
+  mustache::data entries(mustache::data::type::list);
+  std::vector<std::string> known;
+  for (const Page& page : report.pages) {
+    if (!page.glance) continue;
+    for (const Curve& curve : page.glance->curves) {
+      if (std::find(known.begin(), known.end(), curve.label) != known.end()) continue;
+      known.push_back(curve.label);
+      const Stroke stroke = stroke_of(curve.look.value_or(Look{}));
+      mustache::data entry{"label", html_text(curve.label)};
+      entry.set("colour", stroke.colour);
+      entry.set("dash", svg_dash(stroke.dash));
+      entries << entry;
+    }
+  }
+  return entries;
+}
+
+// Screen readers read the word but not the sign.
+// A verdict as a class, a sign, a word and a sentence.
+mustache::data outcome_data(Outcome outcome, const std::string& sentence) {
+  mustache::data data;
+  const auto [mark, word] = outcome_sign(outcome);
+  data.set("class", outcome == Outcome::pass           ? "good"
+                    : outcome == Outcome::inconclusive ? "unsure"
+                                                       : "bad");
+  data.set("sign", mark);
+  data.set("word", word);
+  data.set("sentence", html_text(sentence));
+  return data;
+}
+
+// The entry of a page, in the list of pages and in the links of its neighbours. `glance` may be
+// null.
+mustache::data entry_data(const Page& page, const DrawnFigure* glance = nullptr) {
+  mustache::data data;
+  data.set("title", page.title);
+  data.set("address", page_file(page.id));
+  if (!page.verdict.empty()) data.set("outcome", outcome_data(page.outcome, page.verdict));
+  if (!glance) return data;
+  if (!page.remark.empty()) data.set("remark", html_text(page.remark));
+  if (!page.glance) return data;
+  mustache::data figure{"svg", svg_element(*page.glance, *glance, SvgPlace::in_page)};
+  figure.set("shows", html_text(page.glance->caption));
+  data.set("glance", figure);
+  return data;
+}
+
+// All entries with their figures, and the one legend of these figures.
+mustache::data glances_data(const Report& report, const Drawings& drawings) {
+  mustache::data entries(mustache::data::type::list);
+  for (std::size_t i = 0; i < report.pages.size(); ++i)
+    if (report.pages[i].continues.empty())
+      entries << entry_data(report.pages[i], &drawings.glances[i]);
+  mustache::data data{"entries", entries};
+  data.set("legend", legend_data(report));
+  data.set("has_legend", std::any_of(report.pages.begin(), report.pages.end(),
+                                     [](const Page& page) { return page.glance.has_value(); }));
+  return data;
+}
 
 mustache::data sections_of(const Report& report, const std::string& page,
                            const std::vector<mustache::data>& written) {

@@ -10,7 +10,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/glance_figure.hpp"
 #include "reports/figures/paper_panels.hpp"
-#include "reports/model/side_by_side.hpp"
+#include "reports/model/report_files.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
 #include "reports/summary/verdict_matrix.hpp"
@@ -150,8 +150,7 @@ reports::Page appendix_page(const CaseDefinition& definition) {
 void add_paper_sections(const Paper& paper, const std::vector<CaseAssessment>& cases,
                         const reports::Report& report, std::vector<Section>& sections) {
   PaperPanels panels = paper_panels(paper, cases, report.sections);
-  const auto section_of = paper.name == "li2010" ? li2010_section : zhao2021_section;
-  sections.push_back(section_of(cases, panels.redrawn));
+  sections.push_back(paper_section(paper, cases, panels.redrawn));
   if (panels.figures.empty()) return;
   sections.push_back({paper.name + "-figures",
                       "The paper's figures, redrawn",

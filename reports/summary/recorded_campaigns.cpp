@@ -53,19 +53,12 @@ Verdict verdict_from(const std::string& name) {
   throw std::invalid_argument("verdict \"" + name + "\": expected that of a gate row");
 }
 
+// The verdict that has the exit status; any other status is taken for that of a violated row.
 std::string status_word(int status) {
-  switch (status) {
-    case exit_pass:
-      return "pass";
-    case exit_inconclusive:
-      return "inconclusive";
-    case exit_not_compared:
-      return "not compared";
-    case exit_solver_failed:
-      return "solver failed";
-    default:
-      return "violated";
-  }
+  for (const Verdict verdict :
+       {Verdict::pass, Verdict::inconclusive, Verdict::not_compared, Verdict::solver_failed})
+    if (exit_status_of({verdict}) == status) return verdict_name(verdict);
+  return verdict_name(Verdict::violated);
 }
 
 reports::Table campaigns_table(const std::vector<RecordedCampaign>& campaigns) {

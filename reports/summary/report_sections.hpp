@@ -1,6 +1,7 @@
 // The sections of a campaign's report, one function for each.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "reports/model/report_model.hpp"
@@ -11,6 +12,16 @@
 #include "verification/sensitivity/gate_sensitivity.hpp"
 
 namespace slosh {
+
+// The tables of a case's gate sensitivity: the spoilings that each row detects, and those that the
+// rows detect together.
+
+// One line per row, one column per spoiling.
+reports::Table sensitivity_table(const CaseAssessment& assessment,
+                                 const std::vector<RowSensitivity>& sensitivity);
+
+// One line per case, one column per required detection.
+reports::Table coverage_table(const std::string& id, const std::vector<CaseCoverage>& cases);
 
 // The sections of a case: on its page what its tables find, its gate, the case in words and its
 // main figures; on its appendix further figures, and its tables.

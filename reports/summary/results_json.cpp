@@ -9,7 +9,7 @@
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/case/changed_input.hpp"
-#include "verification/papers/paper_claims.hpp"
+#include "verification/papers/claims.hpp"
 
 namespace slosh {
 namespace {
@@ -48,12 +48,20 @@ Json failure_entry(const RunFailure& failure) {
           {"log", failure.log}};
 }
 
-// What a run and a problem took, without its repeats and its size.
+// What a run or a problem took, without its repeats and its size.
 Json cost_entry(const RunCost& cost) {
   return {{"user_time_s", cost.user_time},
           {"system_time_s", cost.system_time},
           {"wall_time_s", cost.wall_time},
           {"peak_memory_byte", cost.peak_memory}};
+}
+
+// The costs of a run's repeats that had a core to themselves, in the order in which they ran.
+Json timings_entry(const CaseRuns& runs, const std::string& run) {
+  Json list = Json::array();
+  if (const auto found = runs.timings.find(run); found != runs.timings.end())
+    for (const RunCost& cost : found->second) list.push_back(cost_entry(cost));
+  return list;
 }
 
 Json count_entry(double count) { return count > 0 ? Json(count) : Json(nullptr); }
@@ -76,7 +84,7 @@ Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
   const RunResult& result = found->second;
   entry.update({{"solver", result.solver}, {"key", result.key}});
   entry.update(cost_entry(result.cost));
-  entry.update({{"timings", timings_json(runs, name)},
+  entry.update({{"timings", timings_entry(runs, name)},
                 {"steps", count_entry(result.cost.steps)},
                 {"elements", count_entry(result.cost.elements)},
                 {"active_terms", result.active_terms},
@@ -263,17 +271,15 @@ Json matrix_entry(const VerdictMatrix& matrix, const char* of) {
 
 Json claims_json(const std::string& paper, const std::vector<CaseAssessment>& cases) {
   Json list = Json::array();
-  for (const Claim& claim : claims_of(paper, cases)) {
-    const DecidedClaim decided = decide(claim);
-    list.push_back({{"number", claim.number},
-                    {"statement", claim.statement},
-                    {"printed", claim.printed},
-                    {"figures", claim.figures},
-                    {"verdict", verdict_of(decided.held)},
-                    {"result", decided.found},
-                    {"why", decided.why},
-                    {"runs", claim.runs}});
-  }
+  for (const DecidedClaim& one : decided_claims(paper_named(paper), cases))
+    list.push_back({{"number", one.claim.number},
+                    {"statement", one.claim.statement},
+                    {"printed", one.claim.printed},
+                    {"figures", one.claim.figures},
+                    {"verdict", verdict_of(one.held)},
+                    {"result", one.found},
+                    {"why", one.why},
+                    {"runs", one.runs}});
   return list;
 }
 

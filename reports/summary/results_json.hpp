@@ -27,9 +27,6 @@ std::string with_exit_status(int status, const std::string& results_json);
 // {"value", "half_width_95"}, in the unit that the key names.
 nlohmann::ordered_json estimate_json(const Estimate& value);
 
-// The costs of a run's repeats that had a core to themselves, in the order in which they ran.
-nlohmann::ordered_json timings_json(const CaseRuns& runs, const std::string& run);
-
 // Error against cost: work_precision[] of a case.
 nlohmann::ordered_json work_precision_json(const CaseAssessment& assessment);
 

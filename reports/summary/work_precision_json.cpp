@@ -66,18 +66,6 @@ Json estimate_json(const Estimate& value) {
   return {{"value", value.value}, {"half_width_95", value.half_width}};
 }
 
-Json timings_json(const CaseRuns& runs, const std::string& run) {
-  Json list = Json::array();
-  const auto found = runs.timings.find(run);
-  if (found == runs.timings.end()) return list;
-  for (const RunCost& cost : found->second)
-    list.push_back({{"user_time_s", cost.user_time},
-                    {"system_time_s", cost.system_time},
-                    {"wall_time_s", cost.wall_time},
-                    {"peak_memory_byte", cost.peak_memory}});
-  return list;
-}
-
 Json work_precision_json(const CaseAssessment& assessment) {
   const std::vector<WorkFamily> families = work_families(assessment);
   Json list = Json::array();

@@ -37,9 +37,18 @@ constexpr auto patience = 5s;
 
 using LogFile = std::unique_ptr<FILE, int (*)(FILE*)>;
 
+// Closed when this process starts another child.
+LogFile unnamed_file() {
+  LogFile file(std::tmpfile(), std::fclose);
+  if (!file)
+    throw std::system_error(errno, std::generic_category(), "cannot make a temporary file");
+  ::fcntl(::fileno(file.get()), F_SETFD, FD_CLOEXEC);
+  return file;
+}
+
 // An earlier program may have left a link or a pipe in its place: neither is written to.
 LogFile open_log(const std::filesystem::path& file) {
-  if (file.empty()) return {std::tmpfile(), std::fclose};
+  if (file.empty()) return unnamed_file();
   require_no_input(file);
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   const int descriptor = ::open(
@@ -145,7 +154,7 @@ void end_adopted_processes() {
 struct ChildProcess::State {
   explicit State(const ChildSettings& settings)
       : log(open_log(settings.log_file)),
-        errors(settings.splits_errors ? std::tmpfile() : nullptr, std::fclose),
+        errors(settings.splits_errors ? unnamed_file() : LogFile(nullptr, std::fclose)),
         grace(settings.grace) {}
 
   LogFile log, errors;

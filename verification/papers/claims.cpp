@@ -5,16 +5,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
+#include "verification/case/ensemble.hpp"
+#include "verification/papers/measured_values.hpp"
 #include "verification/series/interval_text.hpp"
 
 namespace slosh {
 namespace {
 
+using std::string;
+using Texts = std::vector<string>;
+
 // "-2 to 2", "at least 1.25, refuted up to 1".
-std::string text_of(const Threshold& threshold, double scale) {
+string text_of(const Threshold& threshold, double scale) {
   const double lower = scale * threshold.lower, upper = scale * threshold.upper;
   switch (threshold.relation) {
     case Relation::at_least:
@@ -30,28 +36,82 @@ std::string text_of(const Threshold& threshold, double scale) {
   return fmt::format("{:.3g} to {:.3g}", lower, upper);
 }
 
+// The interval of a mean over fewer repeats of a wave that breaks is too wide to decide anything.
+constexpr std::size_t enough_repeats = 3;
+
+// Returns the finest interFoam run that the case declares, with or without a result, of those with
+// enough repeats, or of all where none has enough. Empty where there is none.
+string finest_mesh(const CaseDefinition& definition) {
+  string finest;
+  std::pair<bool, double> highest{false, 0};  // whether it has enough repeats, and its cells
+  for (const RunDefinition& run : definition.runs) {
+    const InterFoamRun* mesh = std::get_if<InterFoamRun>(&run.solver);
+    if (!mesh || mesh->program != FoamProgram::inter_foam || is_later_member(run)) continue;
+    const std::pair rank{members_of(definition, run.name).size() >= enough_repeats,
+                         number_of_cells(*mesh)};
+    if (rank <= highest) continue;
+    highest = rank;
+    finest = run.name;
+  }
+  return finest;
+}
+
+// Returns the rows of the claim itself and of those that it rests on. A row that asks for it is
+// followed by the same one for the finest mesh of its first case.
+std::vector<FindingRow> rows_of(const Claim& claim, const Paper& paper,
+                                const std::vector<CaseAssessment>& cases) {
+  std::vector<FindingRow> rows;
+  for (const FindingRow& row : claim.findings) {
+    rows.push_back(row);
+    const CaseAssessment* first = find_case(cases, row.cases.front());
+    if (!row.by_finest_mesh_too || !first) continue;
+    if (const string mesh = finest_mesh(first->definition); !mesh.empty()) {
+      rows.push_back(row);
+      rows.back().runs = {mesh};
+    }
+  }
+  for (const string& number : claim.rests_on)
+    for (const Claim& other : paper.claims)
+      if (other.number == number)
+        std::ranges::move(rows_of(other, paper, cases), std::back_inserter(rows));
+  return rows;
+}
+
+Finding found(const FindingRow& row, const std::vector<CaseAssessment>& cases) {
+  const auto& waves = wave_findings();
+  const auto evidence = waves.find(row.evidence);
+  const Evidence find =
+      evidence != waves.end() ? evidence->second : pressure_findings().at(row.evidence);
+  try {
+    const CaseAssessment& last = case_named(cases, row.cases.back());
+    return find({case_named(cases, row.cases.front()), last, row});
+  } catch (const std::runtime_error& error) {  // ComparisonError, ResultError and others
+    return {Held::undecided, error.what(), true};
+  }
+}
+
+void add_once(Texts& list, const string& text) {
+  if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(text);
+}
+
 }  // namespace
 
-std::string verdict_of(Held held) {
+string verdict_of(Held held) {
   if (held == Held::yes) return "confirmed";
   return held == Held::no ? "refuted" : "not decidable";
 }
 
-DecidedClaim decide(const Claim& claim) {
-  std::vector<std::string> texts, against, unknown;
-  const auto add = [](std::vector<std::string>& list, const std::string& text) {
-    if (std::find(list.begin(), list.end(), text) == list.end()) list.push_back(text);
-  };
-  for (const Find& find : claim.findings) try {
-      const Finding one = find();
-      add(texts, one.text);
-      if (one.held != Held::yes) add(one.held == Held::no ? against : unknown, one.text);
-    } catch (const std::runtime_error& error) {  // ComparisonError, ResultError and others
-      add(unknown, error.what());
-    }
-  const bool refuted = !against.empty();
-  const bool confirmed = !refuted && unknown.empty() && !texts.empty();
+const RunResult& Question::result(std::size_t i) const { return standing_result(first, run(i)); }
+
+DecidedClaim decided(const Claim& claim, const std::vector<Finding>& findings) {
+  Texts texts, against, unknown;
+  for (const Finding& one : findings) {
+    if (!one.is_missing) add_once(texts, one.text);
+    if (one.held != Held::yes) add_once(one.held == Held::no ? against : unknown, one.text);
+  }
+  const bool refuted = !against.empty(), confirmed = unknown.empty() && !texts.empty();
   return {claim,
+          {},
           refuted     ? Held::no
           : confirmed ? Held::yes
                       : Held::undecided,
@@ -59,6 +119,23 @@ DecidedClaim decide(const Claim& claim) {
           claim.not_decidable.empty()
               ? fmt::format("{}", fmt::join(refuted ? against : unknown, "; "))
               : claim.not_decidable};
+}
+
+std::vector<DecidedClaim> decided_claims(const Paper& paper,
+                                         const std::vector<CaseAssessment>& cases) {
+  std::vector<DecidedClaim> all;
+  for (const Claim& claim : paper.claims) {
+    std::vector<Finding> findings;
+    Texts runs;
+    for (const FindingRow& row : rows_of(claim, paper, cases)) {
+      findings.push_back(found(row, cases));
+      for (const string& one : row.cases)
+        add_once(runs, fmt::format("{}: {}", one, fmt::join(row.runs, ", ")));
+    }
+    all.push_back(decided(claim, findings));
+    all.back().runs = runs;
+  }
+  return all;
 }
 
 Held compare(const Estimate& estimate, const Threshold& threshold) {
@@ -83,39 +160,16 @@ Held both(Held one, Held other) {
 }
 
 Finding judged(const Shown& shown, const Estimate& estimate, const Threshold& threshold) {
-  const std::string value =
+  const string value =
       interval_text({shown.scale * estimate.value, shown.scale * estimate.half_width});
   const bool has_sign = threshold.relation == Relation::within && threshold.lower <= 0;
   const Held held = compare(estimate, threshold);
-  std::string text = fmt::format(
+  string text = fmt::format(
       "{} {}{}{} ({})", shown.name, has_sign && !value.starts_with('-') ? "+" : "", value,
       shown.unit.empty() ? "" : " " + shown.unit, text_of(threshold, shown.scale));
   if (held == Held::undecided && std::isnan(estimate.value + estimate.half_width)) text += ": NaN";
   if (held == Held::undecided && estimate.half_width > 0) text += ": within its interval";
   return {held, text};
-}
-
-reports::Table claims_table(const std::string& id, const std::vector<Claim>& claims,
-                            const RedrawnFigures& redrawn) {
-  std::vector<PaperRow> rows;
-  for (const Claim& claim : claims) {
-    const DecidedClaim decided = decide(claim);
-    rows.push_back({{claim.number, claim.statement, claim.printed, verdict_of(decided.held),
-                     decided.found, decided.why == decided.found ? "" : decided.why,
-                     fmt::format("{}", fmt::join(claim.runs, "; "))},
-                    claim.figures});
-  }
-  return with_figures(
-      {id,
-       "Claims of the paper",
-       "Each claim under the paper's number, in our own words; what a number is held against is in "
-       "brackets. The thresholds were set before the numbers were looked at, but for those that "
-       "the text above names. A claim cannot be confirmed where a run is absent or failed, a "
-       "number is NaN, or an interval reaches over a threshold.",
-       {"claim", "in our words", "printed", "verdict", "result",
-        "evidence against it, or what is missing", "decided by"},
-       {}},
-      rows, redrawn);
 }
 
 }  // namespace slosh

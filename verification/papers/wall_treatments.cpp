@@ -7,7 +7,7 @@
 
 #include "verification/assessment/pressure_noise.hpp"
 #include "verification/case/quantities.hpp"
-#include "verification/papers/claim_evidence.hpp"
+#include "verification/papers/measured_values.hpp"
 #include "verification/papers/paper_sections.hpp"
 #include "verification/series/impact_peaks.hpp"
 #include "verification/series/time_series.hpp"

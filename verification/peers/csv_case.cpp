@@ -140,25 +140,10 @@ std::string block(const HandedCase& handed) {
 }
 
 std::string readme(const HandedCase& handed) {
+  const std::string row = "| `tank.json` | the same for drivers in one file |\n";
   return readme_head(handed, "any code") +
-         "| file | holds |\n|---|---|\n"
-         "| `numbers.csv` | lengths, liquid, gas, gravity, start and times, each with its unit |\n"
-         "| `geometry.csv` | the corners of the tank, of the liquid at the start and of each "
-         "obstacle, counter-clockwise |\n"
-         "| `gauges.csv` | where the surface, the pressure on a wall (the mean over `width_m`) and "
-         "the flow are measured |\n"
-         "| `motion.csv` | position, velocity and acceleration of the surge and of the roll about "
-         "its axis, for a tank that moves |\n"
-         "| `tank_frame.csv` | gravity less the acceleration of the roll's axis, along the tank's "
-         "axes, for a tank at rest |\n" +
-         (fits_tank_file(handed.definition) ? "| `tank.json` | the same for drivers in one file |\n"
-                                            : "") +
-         "\nIn the tank's frame a roll also acts on the liquid at the place (x, z) from its axis "
-         "with the velocity (u, w), where th is the angle: th'' z + th'^2 x + 2 th' w along x and "
-         "-th'' x + th'^2 z - 2 th' u along z. The liquid starts with the velocity "
-         "`initial_velocity_x` in the tank's frame, and turns about the roll's axis with "
-         "`initial_relative_rate`. A straight line between two rows of the motion is exact to "
-         "(omega dt)^2 / 8.\n" +
+         filled("csv/README.md.mustache",
+                values({{"tank_file", fits_tank_file(handed.definition) ? row : ""}})) +
          readme_end(handed, "my_program") +
          "The program of the block is `my_program` in this directory: put yours there, or name "
          "it.\n";

@@ -16,33 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// OpenFOAM takes its case's path from PWD and refuses one with a blank in it; under Linux
-// /proc/self/cwd stands for any process's working directory.
-constexpr const char* run_script = R"sh(#!/bin/sh
-# Runs the case: ./Allrun [DIRECTORY]. With a directory it copies the case there and runs it in that
-# place. Each program leaves its output in log.NAME; the first that fails ends the script.
-set -eu
-here=$(CDPATH= cd -- "$(dirname -- "$0")" && pwd)
-work=${1:-$here}
-if [ $# -gt 0 ]; then
-  mkdir -p "$work"
-  cp -R "$here/0" "$here/constant" "$here/system" "$work"
-fi
-cd "$work"
-export WM_PROJECT_DIR="${WM_PROJECT_DIR:-/usr/share/openfoam}"
-for program in blockMesh topoSet interFoam; do
-  echo "$program"
-  if ! env PWD=/proc/self/cwd "$program" > "log.$program" 2>&1; then
-    tail -n 30 "log.$program"
-    exit 1
-  fi
-  if ! grep -q '^End' "log.$program"; then
-    echo "log.$program: expected the line End"
-    exit 1
-  fi
-done
-)sh";
-
 // Which column of cells stands for a gauge, and how its filling becomes an elevation.
 struct GaugeReading {
   SeriesSource source;
@@ -114,21 +87,12 @@ std::string shifts_text(const std::vector<GaugeReading>& readings, double cell_w
 
 std::string readme(const HandedCase& handed, const std::string& name,
                    const std::vector<GaugeReading>& readings) {
-  const CaseDefinition& definition = handed.definition;
-  const double cell_width = definition.tank.length / handed.cells_x;
+  const double cell_width = handed.definition.tank.length / handed.cells_x;
   return readme_head(handed, "interFoam") +
-         fmt::format(
-             "`./Allrun` runs blockMesh, topoSet and interFoam here, `./Allrun DIRECTORY` in a "
-             "copy. "
-             "It is the case of Slosh's own runs, for OpenFOAM v1912 of Debian and later versions "
-             "with the same output: {} x {} cells, slip walls, the acceleration of the tank as "
-             "`constant/acceleration`. A rolling tank's mesh has its origin in the roll's axis.\n\n"
-             "## What differs from a run of Slosh\n\n"
-             "{}"
-             "- Pressures at gauges and probes are written to `postProcessing`, and not taken "
-             "back: "
-             "a gauge reads several faces less the mean pressure of the gas.\n",
-             handed.cells_x, handed.cells_z, shifts_text(readings, cell_width)) +
+         filled("openfoam/README.md.mustache",
+                values({{"cells_x", std::to_string(handed.cells_x)},
+                        {"cells_z", std::to_string(handed.cells_z)},
+                        {"shifts", shifts_text(readings, cell_width)}})) +
          readme_end(handed, name);
 }
 
@@ -142,7 +106,9 @@ void write_openfoam_case(const HandedCase& handed, const fs::path& directory) {
   } catch (const std::invalid_argument& error) {
     throw CaseFileError(handed.definition.file.string() + ": " + error.what());
   }
-  write_script(directory / "Allrun", run_script);
+  // OpenFOAM takes its case's path from PWD and refuses one with a blank in it; under Linux
+  // /proc/self/cwd stands for any process's working directory.
+  write_script(directory / "Allrun", filled("openfoam/Allrun", {}));
   const openfoam::TankMesh mesh(tank);
   std::vector<GaugeReading> readings;
   for (const GaugeDefinition& gauge : handed.definition.gauges)

@@ -36,49 +36,24 @@ void require_for_pysph(const HandedCase& handed) {
           handed.spacing, definition.tank.length, definition.liquid.fill_depth));
 }
 
-std::string script(const HandedCase& handed) {
-  return fmt::format(
-      "#!/bin/sh\n"
-      "# Runs the case: ./run.sh [DIRECTORY [SCHEME [SPACING]]]. SCHEME: delta_sph, edac, adami.\n"
-      "set -eu\n"
-      "here=$(CDPATH= cd -- \"$(dirname -- \"$0\")\" && pwd)\n"
-      "out=${{1:-$here/out}}\n"
-      "mkdir -p \"$out\"\n"
-      "exec /usr/bin/python3 \"$here/{}\" \"$here/tank.json\" \"$out\" \"${{2:-delta_sph}}\" "
-      "\"${{3:-{}}}\"\n",
-      driver, handed.spacing);
-}
-
 }  // namespace
 
 void write_pysph_case(const HandedCase& handed, const fs::path& directory) {
   require_for_pysph(handed);
   write_text(directory / "tank.json", tank_file(handed.definition));
   write_script(directory / driver, read_bytes(peers_directory() / driver));
-  write_script(directory / "run.sh", script(handed));
   const std::string name = run_name("pysph", handed.spacing);
+  const data told = values({{"spacing", fmt::format("{}", handed.spacing)},
+                            {"name", handed.definition.name},
+                            {"run", name}});
+  write_script(directory / "run.sh", filled("pysph/run.sh.mustache", told));
   write_text(directory / "run.toml",
              fmt::format("# Slosh starts the driver that it ships, which is the one in this "
                          "directory.\n[[run]]\nname = \"{}\"\nsolver = \"pysph\"\nscheme = "
                          "\"delta_sph\"\nparticle_spacing_m = {}\n",
                          name, handed.spacing));
-  write_text(
-      directory / "README.md",
-      readme_head(handed, "PySPH") +
-          fmt::format(
-              "`./run.sh DIRECTORY` runs `{0} tank.json DIRECTORY delta_sph {1}` with Debian's "
-              "Python and package python3-pysph; another scheme (`edac`, `adami`) and spacing in m "
-              "may follow. It leaves `elevation.csv`, the time in s and the elevation of each "
-              "gauge above the still level in m, and `cost.json`.\n\n"
-              "## What this code is not told\n\n"
-              "- The viscosity: the schemes have the artificial viscosity of PySPH's examples, as "
-              "the driver tells with all its numbers.\n"
-              "- The gas, and pressures and probes: the driver records the surface alone.\n"
-              "- The tank's roof: its walls end at its height and it is open above.\n"
-              "\n## Taking the result back\n\n"
-              "Paste `run.toml` into the case file of {2}. `./slosh run CASE {3}`, or a campaign, "
-              "then computes the run by the driver that Slosh ships.\n",
-              driver, handed.spacing, handed.definition.name, name));
+  write_text(directory / "README.md",
+             readme_head(handed, "PySPH") + filled("pysph/README.md.mustache", told));
 }
 
 }  // namespace slosh

@@ -11,6 +11,8 @@
 
 #include "verification/case/quantities.hpp"
 #include "verification/files/atomic_file.hpp"
+#include "verification/files/content_hash.hpp"
+#include "verification/peers/tank_file.hpp"
 
 namespace slosh {
 namespace {
@@ -109,6 +111,18 @@ void write_script(const fs::path& file, const std::string& text) {
   write_text(file, text);
   fs::permissions(file, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
                   fs::perm_options::add);
+}
+
+data values(std::initializer_list<std::pair<const char*, std::string>> of) {
+  data made;
+  for (const auto& [name, value] : of) made.set(name, value);
+  return made;
+}
+
+std::string filled(const std::string& file, const data& with) {
+  kainjow::mustache::mustache text(read_bytes(peers_directory() / file));
+  if (!text.is_valid()) throw std::runtime_error(file + ": " + text.error_message());
+  return text.render(with);
 }
 
 std::string exact(double value) { return fmt::format("{}", value + 0.0); }

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
+#include <kainjow/mustache.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "verification/case/case_definition.hpp"
@@ -30,6 +33,14 @@ struct HandedCase {
 void write_text(const std::filesystem::path& file, const std::string& text);
 // Makes it executable too.
 void write_script(const std::filesystem::path& file, const std::string& text);
+
+// The values of a template by their names.
+using kainjow::mustache::data;
+data values(std::initializer_list<std::pair<const char*, std::string>> of);
+
+// The text of a template of this folder, "pysph/run.sh.mustache". Throws std::runtime_error where
+// it is none.
+std::string filled(const std::string& file, const data& with);
 
 // A number in the shortest form that reads back as the same double.
 std::string exact(double value);

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <regex>
 
-#include "reports/model/file_formats.hpp"
 #include "reports/model/report_files.hpp"
 #include "verification/tests/documents.hpp"
 #include "verification/tests/small_campaign.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "reports/model/file_formats.hpp"
+#include "reports/model/report_files.hpp"
 
 namespace slosh {
 namespace {

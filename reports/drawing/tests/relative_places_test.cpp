@@ -1,5 +1,3 @@
-#include "reports/drawing/relative_places.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "reports/drawing/draw_figure.hpp"
 
 namespace slosh::reports::relative_places_test {
 namespace {

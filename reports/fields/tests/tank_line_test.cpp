@@ -1,6 +1,6 @@
-#include "reports/fields/tank_line.hpp"
-
 #include <gtest/gtest.h>
+
+#include "reports/fields/draw_field.hpp"
 
 namespace slosh::reports::tank_line_test {
 namespace {

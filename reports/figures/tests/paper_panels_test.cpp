@@ -48,7 +48,7 @@ const std::vector<ScaledRun> usual_runs{
     {"interfoam_50x100", InterFoamRun{50, 100}, 1, {}}};
 
 CaseAssessment small_surge(const std::vector<ScaledRun>& runs = usual_runs) {
-  return paper_case(paper_cases::small, runs);
+  return paper_case("li2010_small_amplitude", runs);
 }
 
 const RedrawnFigure& redrawn(const PaperPanels& panels, const std::string& number) {
@@ -129,7 +129,8 @@ TEST(PaperPanels, OfMoreThanSixCurvesAreTwo) {
 // Both large amplitudes, the second with waves twice as high.
 std::vector<CaseAssessment> large_surges() {
   std::vector<CaseAssessment> cases;
-  for (const auto& [name, scale] : {std::pair{paper_cases::b075, 1.0}, {paper_cases::b125, 2.0}}) {
+  for (const auto& [name, scale] :
+       {std::pair{"li2010_large_b075", 1.0}, {"li2010_large_b125", 2.0}}) {
     cases.push_back(paper_case(name, usual_runs));
     CaseAssessment& one = cases.back();
     one.definition.title = name;
@@ -162,7 +163,7 @@ TEST(PaperPanels, AreLeftOutWhereSomethingIsMissingAndItIsSaid) {
                    "no simulation of li2010_large_b125 has a result with momentum_z"}));
   EXPECT_EQ(redrawn(paper_panels(zhao, {}, {}), "6").missing,
             Names{"not known here: what it shows: our text of the paper says nothing of it"});
-  const reports::Table table = paper_figures_table(li, small.redrawn);
+  const reports::Table table = paper_section(li, {small_surge()}, small.redrawn).tables.back();
   EXPECT_EQ(table.rows.at(0).at(2), "in 1 panel");
   EXPECT_EQ(table.links.at(0).at(2), small.redrawn.at(0).anchors.at(0));
   EXPECT_EQ(table.rows.at(4).at(2), "no");
@@ -210,13 +211,13 @@ CaseAssessment violent_roll() {
   SphRun short_steps{"zhao2021_fixed", 0.004, 0.004};
   short_steps.numbers.courant_number = 0.1;
   CaseAssessment assessment = paper_case(
-      paper_cases::violent, {{"moving_4mm", SphRun{"zhao2021_moving", 0.004, 0.004}, 1, {}},
-                             {"moving_2mm", SphRun{"zhao2021_moving", 0.002, 0.002}, 1, {}},
-                             {"fixed_4mm", SphRun{"zhao2021_fixed", 0.004, 0.004}, 1, {}},
-                             {"fixed_2mm", SphRun{"zhao2021_fixed", 0.002, 0.002}, 1, {}},
-                             {"fixed_4mm_cfl01", short_steps, 1, {}},
-                             {"other_4mm", SphRun{"recommended", 0.004, 0.004}, 1, {}},
-                             {"other_2mm", SphRun{"recommended", 0.002, 0.002}, 1, {}}});
+      "zhao2021_violent_roll", {{"moving_4mm", SphRun{"zhao2021_moving", 0.004, 0.004}, 1, {}},
+                                {"moving_2mm", SphRun{"zhao2021_moving", 0.002, 0.002}, 1, {}},
+                                {"fixed_4mm", SphRun{"zhao2021_fixed", 0.004, 0.004}, 1, {}},
+                                {"fixed_2mm", SphRun{"zhao2021_fixed", 0.002, 0.002}, 1, {}},
+                                {"fixed_4mm_cfl01", short_steps, 1, {}},
+                                {"other_4mm", SphRun{"recommended", 0.004, 0.004}, 1, {}},
+                                {"other_2mm", SphRun{"recommended", 0.002, 0.002}, 1, {}}});
   assessment.definition.pressure_gauges = {{"B", Wall::left, 0.093, 0.004, 5}};
   for (const RunDefinition& run : assessment.definition.runs)
     add_series(assessment.runs, run.name, "wall_pressure@B/filtered", "Pa", 1000);
@@ -275,7 +276,7 @@ TEST(PaperFigures, NameShippedCasesAndTheirQuantities) {
         for (const std::string& quantity : figure.quantities)
           EXPECT_NE(std::find(quantities.begin(), quantities.end(), quantity), quantities.end())
               << name << " " << quantity;
-        EXPECT_LE(figure.time_span.second, definition.duration) << name;
+        EXPECT_LE(figure.time_span_s.second, definition.duration) << name;
         EXPECT_TRUE(figure.redrawn != Redrawn::fields || !definition.snapshot_times.empty())
             << name;
       }

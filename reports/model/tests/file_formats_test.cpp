@@ -1,9 +1,9 @@
-#include "reports/model/file_formats.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <limits>
+
+#include "reports/model/report_files.hpp"
 
 namespace slosh::reports::file_formats_test {
 namespace {

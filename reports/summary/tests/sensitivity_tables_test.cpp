@@ -1,6 +1,6 @@
-#include "reports/summary/sensitivity_tables.hpp"
-
 #include <gtest/gtest.h>
+
+#include "reports/summary/report_sections.hpp"
 
 namespace slosh::sensitivity_tables_test {
 namespace {

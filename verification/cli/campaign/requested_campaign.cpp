@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reports/model/side_by_side.hpp"
+#include "reports/model/report_files.hpp"
 #include "sph/threads.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/campaign/campaign_run.hpp"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "reports/summary/sensitivity_tables.hpp"
+#include "reports/summary/report_sections.hpp"
 #include "verification/cli/campaign/requested_campaign.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/sensitivity/selftest_record.hpp"

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "sph/schemes.hpp"
-#include "verification/papers/paper_claims.hpp"
+#include "verification/papers/paper.hpp"
 
 namespace slosh::deviations_test {
 namespace {
@@ -36,9 +36,9 @@ TEST(Deviations, AreThoseOfTheSchemes) {
   EXPECT_EQ(wall.strength, 5 * 9.81 * 0.35);
   EXPECT_EQ(wall.range, 0.5) << "the pitch in particle spacings";
   for (const char* paper : {"li2010", "zhao2021"}) {
-    const reports::Table table = deviations_table(paper);
-    EXPECT_GE(table.rows.size(), 10u);
-    for (const auto& row : table.rows) EXPECT_FALSE(row.at(2).empty()) << row.at(1);
+    const auto& deviations = paper_named(paper).deviations;
+    EXPECT_GE(deviations.size(), 10u);
+    for (const Deviation& one : deviations) EXPECT_FALSE(one.here.empty()) << one.printed;
   }
 }
 

@@ -9,9 +9,8 @@
 #include <random>
 
 #include "reports/pages/check_report.hpp"
-#include "verification/papers/paper_claims.hpp"
+#include "verification/papers/measured_values.hpp"
 #include "verification/papers/paper_sections.hpp"
-#include "verification/papers/surface_spectrum.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh::li2010_claims_test {
@@ -175,17 +174,21 @@ CaseAssessment& of(Cases& cases, const std::string& name) {
                        [&](const CaseAssessment& one) { return one.definition.name == name; });
 }
 
+std::vector<DecidedClaim> claims_on(const Cases& cases) {
+  return decided_claims(paper_named("li2010"), cases);
+}
+
 DecidedClaim claim(const std::string& number, const Cases& cases) {
-  for (const Claim& one : claims_of("li2010", cases))
-    if (one.number == number) return decide(one);
+  for (const DecidedClaim& one : claims_on(cases))
+    if (one.claim.number == number) return one;
   throw std::logic_error("no claim " + number);
 }
 
-bool rests_on_runs(const Claim& claim) { return claim.not_decidable.empty(); }
+bool rests_on_runs(const DecidedClaim& one) { return one.claim.not_decidable.empty(); }
 
 TEST(ClaimsOfLi2010, AreThoseOfThePaperUnderItsNumbers) {
   std::vector<std::string> numbers;
-  for (const Claim& one : claims_of("li2010", no_cases)) numbers.push_back(one.number);
+  for (const DecidedClaim& one : claims_on(no_cases)) numbers.push_back(one.claim.number);
   EXPECT_EQ(
       numbers,
       (std::vector<std::string>{
@@ -197,20 +200,19 @@ TEST(ClaimsOfLi2010, AreThoseOfThePaperUnderItsNumbers) {
 
 TEST(ClaimsOfLi2010, AreConfirmedByWhatIsAsClaimed) {
   const Cases cases = good();
-  for (const Claim& one : claims_of("li2010", cases)) {
-    const DecidedClaim decided = decide(one);
-    EXPECT_EQ(decided.held, rests_on_runs(one) ? Held::yes : Held::undecided)
-        << one.number << ": " << decided.found << " WHY " << decided.why;
-    EXPECT_EQ(decided.claim.runs.empty(), !rests_on_runs(one)) << one.number;
+  for (const DecidedClaim& one : claims_on(cases)) {
+    EXPECT_EQ(one.held, rests_on_runs(one) ? Held::yes : Held::undecided)
+        << one.claim.number << ": " << one.found << " WHY " << one.why;
+    EXPECT_EQ(one.runs.empty(), !rests_on_runs(one)) << one.claim.number;
   }
 }
 
 TEST(ClaimsOfLi2010, AreNotDecidableWithoutAnyCase) {
-  for (const Claim& one : claims_of("li2010", no_cases)) {
-    const DecidedClaim decided = decide(one);
-    EXPECT_EQ(decided.held, Held::undecided) << one.number;
+  for (const DecidedClaim& one : claims_on(no_cases)) {
+    EXPECT_EQ(one.held, Held::undecided) << one.claim.number;
     if (rests_on_runs(one)) {
-      EXPECT_NE(decided.why.find("is not part of this campaign"), std::string::npos) << one.number;
+      EXPECT_NE(one.why.find("is not part of this campaign"), std::string::npos)
+          << one.claim.number;
     }
   }
 }
@@ -233,8 +235,8 @@ TEST(ClaimsOfLi2010, AreNotDecidableWithoutTheirRunItsNumbersOrItsWindow) {
   for (Cases* cases : {&gone, &poisoned, &cut}) {
     CaseAssessment& first = cases->front();
     first = assess(first.definition, first.runs);
-    for (const Claim& one : claims_of("li2010", *cases))
-      EXPECT_EQ(decide(one).held, Held::undecided) << one.number << ": " << decide(one).found;
+    for (const DecidedClaim& one : claims_on(*cases))
+      EXPECT_EQ(one.held, Held::undecided) << one.claim.number << ": " << one.found;
   }
   EXPECT_EQ(claim("C8.1", gone).why.find("li2010_20mm of li2010_large_b"), 0u);
 }
@@ -426,7 +428,7 @@ TEST(SectionOfLi2010, StandsWithAndWithoutItsCases) {
     reports::Report report;
     report.title = "t";
     report.results_json = "{}";
-    report.sections = {li2010_section(cases, nothing_redrawn())};
+    report.sections = {paper_section(paper_named("li2010"), cases, nothing_redrawn())};
     EXPECT_NO_THROW(reports::check_report(report));
     EXPECT_EQ(report.sections[0].tables.size(), cases.empty() ? 5u : 6u);
   }
@@ -436,7 +438,7 @@ TEST(SectionOfLi2010, LinksEachRowToThePanelThatItSpeaksOf) {
   RedrawnFigures redrawn = nothing_redrawn();
   for (RedrawnFigure& one : redrawn) one.anchors = {"figure-" + one.number, "figure-second"};
   std::vector<std::string> linked;
-  for (const reports::Table& table : li2010_section(good(), redrawn).tables)
+  for (const reports::Table& table : paper_section(paper_named("li2010"), good(), redrawn).tables)
     for (const std::vector<std::string>& links : table.links)
       linked.push_back(table.id + " " +
                        links.at(table.id == "li2010-spectrum"  ? 0
@@ -470,7 +472,7 @@ TEST(PrintedNumbersOfLi2010, AreThoseOfTheElevationAlone) {
     result.series.push_back(force);
   }
   const auto numbers = [](const CaseAssessment& assessment) {
-    return li2010_section({assessment}, nothing_redrawn()).tables.at(1).rows;
+    return paper_section(paper_named("li2010"), {assessment}, nothing_redrawn()).tables.at(1).rows;
   };
   EXPECT_GT(assess(both.definition, both.runs).comparisons.size(), both.comparisons.size());
   EXPECT_EQ(numbers(assess(both.definition, both.runs)), numbers(small_case({})));
@@ -484,7 +486,7 @@ TEST(PrintedNumbersOfLi2010, AreNotResolvedWhereTheRunHasNoSuchMode) {
   for (double& value : noisy.runs.results.at("li2010_20mm").series.at(0).value)
     value = noise(random);
   const auto rows = [](const CaseAssessment& assessment) {
-    return li2010_section({assessment}, nothing_redrawn()).tables.at(1).rows;
+    return paper_section(paper_named("li2010"), {assessment}, nothing_redrawn()).tables.at(1).rows;
   };
   const auto clear = rows(small_case({})), spoiled = rows(assess(noisy.definition, noisy.runs));
   for (const std::size_t row : {2u, 3u, 4u}) {

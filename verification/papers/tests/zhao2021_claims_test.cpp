@@ -9,7 +9,6 @@
 
 #include "reports/pages/check_report.hpp"
 #include "verification/case/ensemble.hpp"
-#include "verification/papers/paper_claims.hpp"
 #include "verification/papers/paper_sections.hpp"
 #include "verification/tests/field_results.hpp"
 #include "verification/tests/impact_runs.hpp"
@@ -147,13 +146,17 @@ using Cases = std::vector<CaseAssessment>;
 
 const Cases no_cases;  // of a campaign whose cases have no run
 
+std::vector<DecidedClaim> claims_on(const Cases& cases) {
+  return decided_claims(paper_named("zhao2021"), cases);
+}
+
 DecidedClaim claim(const std::string& number, const Cases& cases) {
-  for (const Claim& one : claims_of("zhao2021", cases))
-    if (one.number == number) return decide(one);
+  for (const DecidedClaim& one : claims_on(cases))
+    if (one.claim.number == number) return one;
   throw std::logic_error("no claim " + number);
 }
 
-bool rests_on_runs(const Claim& claim) { return claim.not_decidable.empty(); }
+bool rests_on_runs(const DecidedClaim& one) { return one.claim.not_decidable.empty(); }
 
 void fail(CaseAssessment& assessment, const std::string& run) {
   assessment.runs.results.erase(run);
@@ -162,7 +165,7 @@ void fail(CaseAssessment& assessment, const std::string& run) {
 
 TEST(ClaimsOfZhao2021, AreThoseOfThePaperUnderItsNumbers) {
   std::vector<std::string> numbers;
-  for (const Claim& one : claims_of("zhao2021", no_cases)) numbers.push_back(one.number);
+  for (const DecidedClaim& one : claims_on(no_cases)) numbers.push_back(one.claim.number);
   EXPECT_EQ(numbers, (std::vector<std::string>{"Z3.1", "Z3.2", "Z4.1", "Z4.2", "Z5.1", "Z5.2",
                                                "Z8.1", "Z8.2", "Z8.3", "Z9.1", "Z9.2", "Z10.1",
                                                "Z11.1", "Z11.2", "Z11.3", "conclusion"}));
@@ -170,18 +173,17 @@ TEST(ClaimsOfZhao2021, AreThoseOfThePaperUnderItsNumbers) {
 
 TEST(ClaimsOfZhao2021, AreConfirmedByWhatIsAsClaimed) {
   const Cases cases{mild_roll(), violent_roll()};
-  for (const Claim& one : claims_of("zhao2021", cases)) {
-    const DecidedClaim decided = decide(one);
-    EXPECT_EQ(decided.held, rests_on_runs(one) ? Held::yes : Held::undecided)
-        << one.number << ": " << decided.found << " WHY " << decided.why;
+  for (const DecidedClaim& one : claims_on(cases)) {
+    EXPECT_EQ(one.held, rests_on_runs(one) ? Held::yes : Held::undecided)
+        << one.claim.number << ": " << one.found << " WHY " << one.why;
   }
 }
 
 TEST(ClaimsOfZhao2021, AreNotDecidableWithoutAnyCase) {
-  for (const Claim& one : claims_of("zhao2021", no_cases)) {
-    EXPECT_EQ(decide(one).held, Held::undecided) << one.number;
+  for (const DecidedClaim& one : claims_on(no_cases)) {
+    EXPECT_EQ(one.held, Held::undecided) << one.claim.number;
     if (rests_on_runs(one)) {
-      EXPECT_NE(decide(one).why.find("is not part of this campaign"), std::string::npos);
+      EXPECT_NE(one.why.find("is not part of this campaign"), std::string::npos);
     }
   }
 }
@@ -209,8 +211,8 @@ TEST(ClaimsOfZhao2021, AreNotDecidableWithoutTheirRunsNumbersOrWindows) {
       }
     }
   for (const Cases* cases : {&gone, &poisoned, &cut})
-    for (const Claim& one : claims_of("zhao2021", *cases))
-      EXPECT_EQ(decide(one).held, Held::undecided) << one.number << ": " << decide(one).found;
+    for (const DecidedClaim& one : claims_on(*cases))
+      EXPECT_EQ(one.held, Held::undecided) << one.claim.number << ": " << one.found;
 }
 
 TEST(ClaimOnTheMildRoll, StatesWhatTheRecordsOffsetDoes) {
@@ -355,15 +357,15 @@ TEST(SectionOfZhao2021, StandsWithAndWithoutItsCases) {
     reports::Report report;
     report.title = "t";
     report.results_json = "{}";
-    report.sections = {zhao2021_section(cases, nothing_redrawn())};
+    report.sections = {paper_section(paper_named("zhao2021"), cases, nothing_redrawn())};
     EXPECT_NO_THROW(reports::check_report(report));
     EXPECT_EQ(table_named(report.sections[0], "zhao2021-claims").rows.size(), 16u);
   }
 }
 
 TEST(SectionOfZhao2021, SaysOfEachFigureWhyItHasNoPanel) {
-  const reports::Table table =
-      table_named(zhao2021_section({}, nothing_redrawn()), "zhao2021-figures");
+  const reports::Table table = table_named(
+      paper_section(paper_named("zhao2021"), {}, nothing_redrawn()), "zhao2021-figures");
   ASSERT_EQ(table.rows.size(), 10u);
   EXPECT_EQ(table.rows[0].at(0), "figures 1 and 2");
   EXPECT_EQ(table.rows[1],
@@ -374,35 +376,6 @@ TEST(SectionOfZhao2021, SaysOfEachFigureWhyItHasNoPanel) {
                 "no", "no run", "zhao2021_mild_roll", "the whole run; the paper's is not known",
                 "time [s]; pressure [Pa]", "whether its pressure is filtered: ours is not"}));
   for (const auto& links : table.links) EXPECT_EQ(links, std::vector<std::string>(8));
-}
-
-// The numbers of the facts' section 6: 3.277 rad/s, 1.917 s, 3.85 rad/s, a ratio of periods of
-// 0.85.
-TEST(ErrataOfZhao2021, CarryTheComputedFigures) {
-  const auto rows = table_named(zhao2021_section({}, nothing_redrawn()), "zhao2021-errata").rows;
-  ASSERT_EQ(rows.size(), 5u);
-  EXPECT_EQ(rows[0].at(2), "omega_1 = 3.277 rad/s, period 1.917 s (-0.10 % off 1.919)");
-  EXPECT_EQ(rows[1].at(2), "omega = 3.852 rad/s; periods 0.850, frequencies 1.175");
-  EXPECT_TRUE(rows[2].at(2).starts_with("still water presses with 819 Pa at 0.0093 m and 0 Pa"));
-  EXPECT_NE(rows[3].at(2).find("is not part of this campaign"), std::string::npos);
-  EXPECT_NE(rows[4].at(2).find("integrates to 1.795196 h^2, and 7/(4 pi) times that is 1.000000"),
-            std::string::npos)
-      << rows[4][2];
-}
-
-// Against a sine of 4 deg with 3.85 rad/s, which starts at 15.4 deg/s: a roll of half of it.
-TEST(ErrataOfZhao2021, SetTheMeasuredRollBesideTheSine) {
-  CaseAssessment measured = violent_roll(), sine = violent_roll();
-  sine.definition.name = "zhao2021_violent_sine";
-  constexpr double degree = std::numbers::pi / 180;
-  measured.definition.motion.roll->angle = SineMotion{2 * degree, 3.85};
-  sine.definition.motion.roll->angle = SineMotion{4 * degree, 3.85};
-  const auto rows =
-      table_named(zhao2021_section({measured, sine}, nothing_redrawn()), "zhao2021-errata").rows;
-  EXPECT_TRUE(
-      rows[3].at(2).starts_with("it starts at 7.7 deg/s, the sine at 15.4; apart by up to "
-                                "2.00 deg (at "))
-      << rows[3][2];
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <kainjow/mustache.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -13,10 +12,8 @@
 #include <vector>
 
 #include "verification/case/case_definition.hpp"
-#include "verification/files/content_hash.hpp"
 #include "verification/peers/dualsphysics/acceleration.hpp"
 #include "verification/peers/motion_table.hpp"
-#include "verification/peers/tank_file.hpp"
 #include "verification/peers/written_files.hpp"
 
 namespace slosh {
@@ -35,17 +32,10 @@ struct DualSphysicsSettings {
 // DualSPHysics's coefh and the smoothing length in two dimensions, coefh sqrt(2) spacings.
 inline constexpr double dualsphysics_coefh = 1.2;
 
-using kainjow::mustache::data;
 using Values = std::initializer_list<std::pair<const char*, std::string>>;
 
 // Ten digits: a lattice place and the end of a box that reaches it must not differ by a rounding.
 std::string number(double value) { return fmt::format("{:.10g}", value + 0.0); }
-
-data values(const Values& of) {
-  data made;
-  for (const auto& [name, value] : of) made.set(name, value);
-  return made;
-}
 
 struct Box {
   double left, right, bottom, top;
@@ -167,10 +157,7 @@ std::string dualsphysics_definition(const CaseDefinition& definition,
   all.set("boxes", boxes(definition, dp, roof));
   set_gauges(definition, roof, all);
   set_motion(definition, settings.acceleration_file, all);
-  const auto file = peers_directory() / "dualsphysics/definition.xml.mustache";
-  kainjow::mustache::mustache text(read_bytes(file));
-  if (!text.is_valid()) throw std::runtime_error(file.string() + ": " + text.error_message());
-  return text.render(all);
+  return filled("dualsphysics/definition.xml.mustache", all);
 }
 
 void require_spacing(const HandedCase& handed) {
@@ -248,17 +235,7 @@ std::vector<SeriesSource> dualsphysics_series(const CaseDefinition& definition) 
 
 std::string script(const std::string& name, bool moves) {
   const std::string copy = moves ? "cp \"$here/" + name + "_acceleration.csv\" \"$out\"\n" : "";
-  return "#!/bin/sh\n"
-         "# Runs the case: ./run.sh [DIRECTORY]. GENCASE and DUALSPHYSICS name the two programs.\n"
-         "set -eu\n"
-         "here=$(CDPATH= cd -- \"$(dirname -- \"$0\")\" && pwd)\n"
-         "out=${1:-$here/out}\n"
-         "mkdir -p \"$out\"\n" +
-         copy + "\"${GENCASE:-GenCase_linux64}\" \"$here/" + name + "_Def\" \"$out/" + name +
-         "\" -save:all\n"
-         "\"${DUALSPHYSICS:-DualSPHysics5.4CPU_linux64}\" -cpu "
-         "-ompthreads:\"${OMP_NUM_THREADS:-1}\" \"$out/" +
-         name + "\" \"$out\" -dirdataout data -svres\n";
+  return filled("dualsphysics/run.sh.mustache", values({{"name", name}, {"copy", copy}}));
 }
 
 std::string block(const HandedCase& handed, const fs::path& directory, const std::string& run) {
@@ -311,36 +288,23 @@ std::string roof(const HandedCase& handed) {
 
 std::string readme(const HandedCase& handed, const std::string& run) {
   const CaseDefinition& definition = handed.definition;
+  const std::string acceleration =
+      definition.motion.still()
+          ? ""
+          : fmt::format(
+                "| `{}_acceleration.csv` | minus the acceleration of the tank along its own "
+                "axes, and of a roll, for its AccInput |\n",
+                definition.name);
   return readme_head(handed, "DualSPHysics 5.4") +
-         fmt::format(
-             "`./run.sh DIRECTORY` runs GenCase and DualSPHysicsCPU, which `GENCASE` and "
-             "`DUALSPHYSICS` name (default: `GenCase_linux64` and `DualSPHysics5.4CPU_linux64` on "
-             "the PATH).\n\n"
-             "| file | holds |\n|---|---|\n"
-             "| `{0}_Def.xml` | GenCase's definition: particles {1} m apart, modified dynamic "
-             "walls with normals, gauges fixed in the tank |\n{2}"
-             "\n## What this code is not told, or says otherwise\n\n"
-             "- The viscosity: the flow has artificial viscosity, alpha 0.01, and density "
-             "diffusion "
-             "(Fourtakas, 0.1), symplectic steps, c0 = 20 sqrt(g h), h = 1.2 sqrt(2) spacings.\n"
-             "- The gas.\n"
-             "- Pressures: no gauge of DualSPHysics measures one, MeasureTool does.\n"
-             "- What was run: the definition follows one of a surging tank that DualSPHysics 5.4 "
-             "has "
-             "run. Its roof, obstacles, and the accelerations in a file of their own follow "
-             "DualSPHysics's documents and were not run.\n"
-             "- Still water: a gauge of the surface reads some 0.2 spacings too high, one of the "
-             "highest particle half a spacing too low. {3}\n{4}{5}{6}",
-             definition.name, handed.spacing,
-             definition.motion.still()
-                 ? ""
-                 : fmt::format("| `{}_acceleration.csv` | minus the acceleration of the tank along "
-                               "its own axes, and of a roll, for its AccInput |\n",
-                               definition.name),
-             definition.liquid.column_width
-                 ? "`run.toml` takes the depth off."
-                 : "`run.toml` therefore takes each gauge's first reading for its datum.",
-             roof(handed), near_walls(handed), rolls(handed)) +
+         filled("dualsphysics/README.md.mustache",
+                values({{"name", definition.name},
+                        {"spacing", fmt::format("{}", handed.spacing)},
+                        {"acceleration", acceleration},
+                        {"datum", definition.liquid.column_width
+                                      ? "`run.toml` takes the depth off."
+                                      : "`run.toml` therefore takes each gauge's first reading for "
+                                        "its datum."},
+                        {"notes", roof(handed) + near_walls(handed) + rolls(handed)}})) +
          readme_end(handed, run);
 }
 

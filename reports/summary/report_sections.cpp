@@ -1,4 +1,4 @@
-#include "reports/summary/sensitivity_tables.hpp"
+#include "reports/summary/report_sections.hpp"
 
 #include "reports/wording/report_places.hpp"
 
