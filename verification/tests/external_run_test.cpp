@@ -176,10 +176,11 @@ TEST_F(ExternalRun, FailsBeforeItStartsWhereItsVersionCannotBeTold) {
   EXPECT_TRUE(holds(complaint("\"./none\""), "version_command: ./none: expected a program"));
 }
 
+// The second line has a colour and a letter of Latin-1.
 TEST_F(ExternalRun, FailsWhereALineOfItsLogMatchesAPattern) {
   const std::string command =
-      "[\"sh\", \"-c\", \"echo step 7: NaN in pressure; exec \\\"$0\\\" "
-      "\\\"$@\\\"\", \"" STAND_IN_SOLVER "\"";
+      "[\"sh\", \"-c\", \"echo step 7: NaN in pressure; printf '12 \\\\033[31mparticles\\\\033[0m "
+      "lib\\\\351r\\\\351es\\\\n'; exec \\\"$0\\\" \\\"$@\\\"\", \"" STAND_IN_SOLVER "\"";
   const auto campaign_with = [&](const std::string& patterns) {
     write_campaign(with(own_case("\"scaled\", \"1\"", "fail_on = " + patterns + "\n"),
                         "[\"" STAND_IN_SOLVER "\"", command));
@@ -191,6 +192,8 @@ TEST_F(ExternalRun, FailsWhereALineOfItsLogMatchesAPattern) {
                     "line 1 of its log matches fail_on = \"step [0-9]+: N\": step 7: NaN "
                     "in pressure"));
   EXPECT_EQ(campaign_with("[\"inf\"]").status, 0) << "the pattern is part of the run";
+  for (const char* shown : {"[\"12 particles\"]", "[\"particles.*es$\"]"})
+    EXPECT_EQ(campaign_with(shown).status, 3) << shown;
 }
 
 TEST_F(ExternalRun, IsBoundToItsCoresAndMarkedWhereItLeavesThem) {
