@@ -84,7 +84,7 @@ TEST_F(KnownDrawingsTest, AreDrawnAgainWhereTheirFileWasCutOrChanged) {
                                     std::string(), whole + "more", "0" + whole.substr(1)}) {
     reports::write_text(file, spoilt);
     EXPECT_EQ(draw("plot x\n"), "plot x\n");
-    EXPECT_EQ(reports::read_text(file), spoilt.empty() ? whole : spoilt);
+    EXPECT_EQ(reports::read_text(file), spoilt);
   }
   EXPECT_EQ(starts(), 6u);
 }
