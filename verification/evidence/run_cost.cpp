@@ -138,7 +138,7 @@ std::vector<WorkPoint> by_memory(const WorkFamily& family) {
 std::string left_out_as_compiling(const CaseDefinition& definition, const CaseRuns& runs,
                                   const GateRow& row) {
   const std::string name = work_family(run_named(definition, row.candidate));
-  constexpr double least_kept = 0.1;  // [s]: what loading a program may take
+  constexpr double least_kept = 0.1;  // [s]; a first start may take so much to load the program
   double largest = 0;
   std::string text, kept;
   for (const RunDefinition& run : definition.runs) {

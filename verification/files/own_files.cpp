@@ -234,7 +234,7 @@ fs::path make_own_directory(const fs::path& named, const std::vector<std::string
       require_own(place);
       for (const std::string& ending : beside) fs::remove(place.native() + ending);
       fs::remove_all(place);
-    } catch (const std::exception&) {  // a user's, or nobody may read it
+    } catch (const std::exception&) {  // it is a user's, or it cannot be read
       continue;
     }
     fs::create_directories(place.parent_path());

@@ -1,9 +1,8 @@
 // What Slosh has made, and may therefore replace or remove without being asked. Each directory has
 // a list of it, the file ".slosh", with a line "IDENTITY NAME" for each file and link: the hash of
 // the content, or of where the link leads, or the size and the time of a file that a program has
-// left. What is not there as the list says is a user's: it was
-// edited, or another file, or a program was interrupted, or the list was lost. A directory is
-// Slosh's where all that lies in it is.
+// left. What is not there as the list says is a user's: somebody has edited it, a program was
+// interrupted, or the list was lost. A directory is Slosh's where all that lies in it is.
 //
 // What is a user's is never replaced or removed. Where Slosh names the place itself, it is set
 // aside: NAME becomes NAME.kept-1, or the next number that is free. A link or a device stays, and

@@ -81,7 +81,8 @@ Estimate with_own(const Estimate& value, const UncertaintyContributions& of) {
           std::hypot(value.half_width, of.time_series.known(), of.discretisation.known())};
 }
 
-// A candidate that does not move improves on all that is worse than nothing.
+// Returns whether the error is smaller than that of a candidate that does not move at all: such a
+// candidate improves on every run with a larger error.
 bool is_better_than_nothing(Metric metric, const Estimate& value) {
   const double nothing = std::abs(metric_entry(metric).widest.nothing);
   return std::isnan(nothing) || std::abs(value.value) + value.half_width < nothing;

@@ -146,7 +146,8 @@ double largest_magnitude(const TimeSeries& series) {
   return largest;
 }
 
-// By how much the parabola through three samples exceeds the middle one, at the largest.
+// Returns by how much the crest may exceed the largest sample: a parabola through this sample and
+// its neighbours exceeds it by no more than an eighth of their second difference.
 double above_largest(const std::vector<double>& value) {
   const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const auto i = static_cast<std::size_t>(std::max_element(value.begin(), value.end(), larger) -
@@ -316,7 +317,7 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
                                    gap->begin, gap->end));
     if (row.metric == Metric::largest_magnitude && !row.improves_on) {
       const double largest = largest_magnitude(series), above = above_largest(series.value);
-      constexpr double known_to = 1.001;  // as far as a row is told
+      constexpr double known_to = 1.001;  // a row prints three digits
       const double upper = bounds_of(row).second;
       if (largest <= upper && largest + above > upper * known_to)
         doubts.push_back(fmt::format(
@@ -340,8 +341,8 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
   add_coverage(covered, found);
 }
 
-// The error is reached where the best of the runs that the cost rests on is within it by what the
-// reference may be off.
+// Doubts a cost unless the smallest error of the runs that it rests on, and what the reference may
+// be off by, are together within the error to reach.
 void add_doubts_of_cost(const GateRow& row, const GateEvidence& evidence, SampleDoubts& found) {
   const std::vector<std::string> runs = evidence.cost(row).rests_on;
   if (!evidence.uncertainty || runs.empty()) return;
