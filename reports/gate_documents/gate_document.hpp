@@ -2,6 +2,7 @@
 // for a pull request.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,8 +38,9 @@ struct GateEntry {
 struct GateDocument {
   std::string title, verdict;
   std::vector<GateEntry> entries;
-  std::string basis = {};  // what the rows are based on; may be empty
-  int exit_status = 0;     // that of the verdict, whatever the user replaces it by
+  std::string basis = {};                          // what the rows are based on; may be empty
+  std::map<std::string, std::string> doubts = {};  // by group: which of its runs are not sound
+  int exit_status = 0;  // that of the verdict, whatever the user replaces it by
   // Whether inconclusive rows leave the exit status at 0: JUnit then calls them skipped.
   bool inconclusive_passes = false;
 };
@@ -48,8 +50,8 @@ struct GateDocument {
 std::vector<const GateEntry*> worst_first(const GateDocument& document);
 
 // Returns JUnit XML: testsuites / testsuite (a group) / testcase, with value, uncertainty and
-// tolerance as properties. Violated, inconclusive and lost rows are failures; rows that were not
-// compared or whose solver failed are errors.
+// tolerance as properties, and a group's doubts as a property of its suite. Violated, inconclusive
+// and lost rows are failures; rows that were not compared or whose solver failed are errors.
 std::string junit_xml(const GateDocument& document);
 
 // Returns a table, worst first, of all rows except those that pass unchanged and those that are

@@ -107,6 +107,11 @@ std::string junit_xml(const GateDocument& document) {
     Xml suite;
     Counts counts;
     suite.put("<xmlattr>.name", legible(group));
+    if (const auto doubt = document.doubts.find(group); doubt != document.doubts.end()) {
+      Xml properties;
+      add_property(properties, "doubtful", doubt->second);
+      suite.add_child("properties", properties);
+    }
     for (const GateEntry& entry : document.entries) {
       if (entry.group != group) continue;
       const Element element = element_of(entry.outcome, document);

@@ -66,6 +66,8 @@ std::vector<const GateEntry*> worst_first(const GateDocument& document) {
 std::string gate_markdown(const GateDocument& document) {
   std::string text =
       fmt::format("## {}\n\n{}\n", markdown_text(document.title), markdown_text(document.verdict));
+  for (const auto& [group, doubt] : document.doubts)
+    text += fmt::format("\n{}\n", markdown_text(doubt));
   if (!document.basis.empty()) text += fmt::format("\n{}\n", markdown_text(document.basis));
   std::string lines;
   std::size_t passed = 0, skipped = 0;

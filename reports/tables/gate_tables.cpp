@@ -95,7 +95,6 @@ Table gate_table(const CaseAssessment& assessment) {
 
 std::optional<Table> ensemble_table(const CaseAssessment& assessment) {
   CaseEvidence known(assessment.definition, assessment.runs, &assessment.fitted);
-  const GateEvidence evidence = known.gate_evidence();
   Table table{
       case_id(assessment.definition.name) + "-ensembles",
       "Ensembles",
@@ -107,9 +106,11 @@ std::optional<Table> ensemble_table(const CaseAssessment& assessment) {
       {"row", "candidates x references", "mean", "sd of candidates", "sd of references", "range",
        "verdict"},
       {}};
-  for (const GateOutcome& outcome : assessment.gate)
+  for (const GateOutcome& outcome : assessment.gate) {
+    const GateEvidence evidence = known.over_time_of(outcome.row).gate_evidence();
     if (is_judged(outcome.verdict) && is_of_ensembles(outcome.row, evidence))
       table.rows.push_back(line_of(outcome, measured_pairs(outcome.row, evidence)));
+  }
   if (table.rows.empty()) return std::nullopt;
   return table;
 }

@@ -118,13 +118,14 @@ std::optional<Table> refinement_table(const CaseAssessment& assessment) {
       "three times the difference.",
       {"path", "row", "runs", "values", "behaviour", "order", "extrapolated", "uncertainty"},
       {}};
-  CaseEvidence evidence(assessment.definition, assessment.runs, &assessment.fitted);
-  const GateEvidence gate = evidence.gate_evidence();
-  const MeasureRow measure = [&](const GateRow& row) { return measured(row, gate); };
+  CaseEvidence known(assessment.definition, assessment.runs, &assessment.fitted);
   for (const GateOutcome& outcome : assessment.gate) {
     if (!std::isfinite(outcome.value.value) || is_cost(outcome.row.metric) ||
         is_p_value(outcome.row.metric))
       continue;  // the cost rests on all runs of a path together, a p-value has no discretisation
+    CaseEvidence& evidence = known.over_time_of(outcome.row);
+    const GateEvidence gate = evidence.gate_evidence();
+    const MeasureRow measure = [&](const GateRow& row) { return measured(row, gate); };
     for (const Role role : {Role::candidate, Role::reference})
       add_paths(refined_metrics(assessment.definition, assessment.runs, outcome.row, role,
                                 {measure, evidence.measure_with_series()})

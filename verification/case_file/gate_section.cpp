@@ -160,27 +160,37 @@ void read_error(const TomlTable& row, const MetricEntry& metric, GateRow& gate_r
                                     [](double value) { return value > 0 && value < 1; }});
 }
 
-// The part of the window over which a metric of a band is taken.
+// Why a metric is not taken over a part of the run; "" where it is.
+std::string why_no_part(const MetricEntry& metric) {
+  if (metric.metric == Metric::initial_value) return "it is the value at the start";
+  if (is_of_impacts(metric.metric)) return "it is measured at the published times";
+  if (is_of_fields(metric.metric)) return "it is measured at the snapshot times";
+  return is_cost(metric.metric) ? "it is measured over whole runs" : "";
+}
+
+// The part of the run over which the row is judged.
 void read_part(const TomlTable& row, const MetricEntry& metric, const CaseDefinition& definition,
                GateRow& gate_row) {
-  const bool given = row.has("part_begin_s") || row.has("part_end_s");
-  if (!given) return;
-  if (!is_of_band(metric.metric))
-    row.refuse(row.has("part_begin_s") ? "part_begin_s" : "part_end_s",
-               "no such key: only a metric of a band is taken over a part of the window");
-  const double begin = definition.window_begin, end = definition.window_end;
-  const double from = row.get(
-      "part_begin_s",
-      Rule<double>{fmt::format("a number from {:.6g} to below {:.6g}, in s: within the window of "
-                               "[comparison]",
-                               begin, end),
-                   [=](double time) { return time >= begin && time < end; }});
-  const double to = row.get(
-      "part_end_s",
-      Rule<double>{fmt::format("a number above part_begin_s ({:.6g}) and <= {:.6g}, in s: within "
-                               "the window of [comparison]",
-                               from, end),
-                   [=](double time) { return time > from && time <= end; }});
+  const char *begin = "part_begin_s", *end = "part_end_s";
+  if (!row.has(begin) && !row.has(end)) return;
+  if (const std::string why = why_no_part(metric); !why.empty())
+    row.refuse(row.has(begin) ? begin : end,
+               fmt::format("no such key: {} has no part of the run, as {}", metric.name, why));
+  const double duration = definition.duration;
+  const double from =
+      row.has(begin)
+          ? row.get(begin, Rule<double>{fmt::format("a number >= 0 and below the duration ({:g}), "
+                                                    "in s",
+                                                    duration),
+                                        [=](double time) { return time >= 0 && time < duration; }})
+          : 0;
+  const double to =
+      row.has(end)
+          ? row.get(end, Rule<double>{fmt::format("a number above part_begin_s ({:.6g}) and <= the "
+                                                  "duration ({:g}), in s",
+                                                  from, duration),
+                                      [=](double time) { return time > from && time <= duration; }})
+          : duration;
   gate_row.part = {from, to};
 }
 
@@ -371,7 +381,7 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   gate_row.candidate = row.choice("candidate", "a run", candidates(definition));
   const MetricEntry& metric = read_metric(row);
   gate_row.metric = metric.metric;
-  if (metric.measured_on == MeasuredOn::own_series) {
+  if (is_of_candidate_alone(metric.metric)) {
     read_own_series(row, metric, definition, gate_row);
   } else if (is_of_impacts(metric.metric)) {
     read_impact_series(row, metric, definition, gate_row);

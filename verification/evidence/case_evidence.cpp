@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
+#include <tuple>
 
 #include "verification/case/ensemble.hpp"
+#include "verification/case/judged_time.hpp"
 #include "verification/case/metric_table.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
@@ -14,6 +17,7 @@
 #include "verification/evidence/input_uncertainty.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/evidence/run_cost.hpp"
+#include "verification/evidence/soundness.hpp"
 #include "verification/gate/distributions/holm_correction.hpp"
 #include "verification/gate/distributions/repeated_impacts.hpp"
 #include "verification/gate/field_metrics.hpp"
@@ -65,6 +69,34 @@ TimeSeries moved_series(const CaseRuns& runs, const std::string& run, const std:
   return series;
 }
 
+double wave_period(const CaseDefinition& definition) {
+  const std::vector<double> first = natural_frequencies(definition, 1);
+  return first.empty() ? not_a_number : 2 * std::numbers::pi / first.front();
+}
+
+// Two repeats differ by sqrt(2) deviations; 1.645 is the normal quantile that 5 % exceed.
+std::optional<double> published_scatter(const CaseDefinition& definition, const GateRow& row) {
+  if (row.metric != Metric::impact_peak_error || !definition.impacts) return std::nullopt;
+  const ImpactsDefinition& impacts = *definition.impacts;
+  const std::size_t n = impact_number(row.mode, definition);
+  if (n >= impacts.peak_deviations.size()) return std::nullopt;
+  return 1 + 1.645 * std::sqrt(2.0) * impacts.peak_deviations[n] / impacts.peak_means[n];
+}
+
+// A mode is sought within a tenth of linear theory's frequency (harmonic_fit.hpp).
+std::string doubt_of_searched_band(const GateRow& row, const std::vector<ToneRequest>& modes) {
+  constexpr double searched = 0.1;
+  if (row.metric != Metric::frequency || !row.between) return "";
+  for (const ToneRequest& mode : modes) {
+    const double theory = mode.angular_frequency / (2 * std::numbers::pi);
+    if (mode.name == row.mode && row.between->first <= (1 - searched) * theory &&
+        row.between->second >= (1 + searched) * theory)
+      return fmt::format("the bounds hold all that is searched, 10 % to either side of {:.4g} Hz",
+                         theory);
+  }
+  return "";
+}
+
 }  // namespace
 
 std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count) {
@@ -81,8 +113,8 @@ std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
   return modes_of(definition, definition.natural_modes);
 }
 
-TimeWindow compared_window(const CaseDefinition& definition, const std::string& reference) {
-  TimeWindow window{definition.window_begin, definition.window_end};
+TimeWindow compared_window(TimeWindow window, const CaseDefinition& definition,
+                           const std::string& reference) {
   if (const RecordRun* record = record_named(definition, reference)) {
     window.begin = std::max(window.begin, record->time.front());
     window.end = std::min(window.end, record->time.back());
@@ -101,6 +133,34 @@ NeededModes modes_needed_by(const std::vector<GateRow>& rows) {
   }
   if (of_all) needed.names.clear();
   return needed;
+}
+
+struct CaseEvidence::OtherTime {
+  CaseDefinition definition;
+  CaseEvidence evidence;
+
+  OtherTime(const CaseDefinition& of, std::pair<double, double> time, const CaseRuns& runs,
+            const std::vector<GateRow>& rows)
+      : definition(over(of, time)), evidence(definition, runs, nullptr, modes_needed_by(rows)) {}
+
+ private:
+  static CaseDefinition over(CaseDefinition of, std::pair<double, double> time) {
+    std::tie(of.window_begin, of.window_end) = time;
+    return of;
+  }
+};
+
+CaseEvidence& CaseEvidence::over_time_of(const GateRow& row) {
+  const std::pair<double, double> time = judged_time(row, definition_);
+  if (time == std::pair(definition_.window_begin, definition_.window_end)) return *this;
+  std::shared_ptr<OtherTime>& here = other_times_[time];
+  if (!here) {
+    std::vector<GateRow> rows{row};
+    for (const GateRow& other : definition_.gate)
+      if (judged_time(other, definition_) == time) rows.push_back(other);
+    here = std::make_shared<OtherTime>(definition_, time, runs_, rows);
+  }
+  return here->evidence;
 }
 
 CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs,
@@ -141,7 +201,8 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
 // cannot resolve them is refused.
 Comparison CaseEvidence::compared(const std::string& candidate, const std::string& reference,
                                   const std::string& quantity, const Moved& moved) {
-  const TimeWindow window = compared_window(definition_, reference);
+  const TimeWindow window =
+      compared_window({definition_.window_begin, definition_.window_end}, definition_, reference);
   const RecordRun* record = record_named(definition_, reference);
   if (record && !(window.end > window.begin))
     throw ComparisonError(fmt::format(
@@ -242,6 +303,27 @@ Estimate CaseEvidence::corrected_p_value(const std::vector<std::string>& members
   return holm_corrected(family, 0);
 }
 
+// The runs of the row that are not sound keep it from passing. What a run does later is no doubt of
+// its start.
+RowDoubts CaseEvidence::doubts_of_runs(const GateRow& row) const {
+  RowDoubts doubts;
+  const auto add = [&](const std::string& doubt, bool keeps) {
+    if (doubt.empty()) return false;
+    doubts.text += "; doubtful: " + doubt;
+    doubts.keep_from_passing |= keeps;
+    return true;
+  };
+  for (const std::string& named : {row.candidate, row.reference, row.improves_on.value_or("")}) {
+    if (named.empty()) continue;
+    add(script_doubt(run_named(definition_, named), definition_), false);
+    if (row.metric == Metric::initial_value) continue;
+    for (const std::string& run : members_of(definition_, named))
+      if (add(soundness_doubt(definition_, runs_, run), true)) break;  // one tells enough
+  }
+  add(doubt_of_searched_band(row, modes_), true);
+  return doubts;
+}
+
 GateEvidence CaseEvidence::gate_evidence() {
   const FindComparison find = [this](const std::string& candidate, const std::string& reference,
                                      const std::string& quantity) -> const Comparison& {
@@ -294,15 +376,7 @@ GateEvidence CaseEvidence::gate_evidence() {
   const FindUncertainty uncertainty = [this, measures](const GateRow& row) {
     return row_uncertainty(definition_, runs_, row, measures);
   };
-  const FindKept kept = [this](const GateRow& row) {
-    std::string text;
-    for (const std::string& run : {row.candidate, row.reference, row.improves_on.value_or("")})
-      if (const std::string doubt =
-              run.empty() ? "" : script_doubt(run_named(definition_, run), definition_);
-          !doubt.empty())
-        text += "; doubtful: " + doubt;
-    return text;
-  };
+  const DoubtRuns doubts = [this](const GateRow& row) { return doubts_of_runs(row); };
   return {find,
           find_series,
           measure_impacts,
@@ -312,12 +386,14 @@ GateEvidence CaseEvidence::gate_evidence() {
           history,
           fields,
           repeats,
-          kept,
-          definition_.sample_interval};
+          doubts,
+          definition_.sample_interval,
+          wave_period(definition_),
+          [this](const GateRow& row) { return published_scatter(definition_, row); }};
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {
-  return evaluate(row, runs_.status, gate_evidence());
+  return evaluate(row, runs_.status, over_time_of(row).gate_evidence());
 }
 
 }  // namespace slosh

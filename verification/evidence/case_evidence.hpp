@@ -27,8 +27,9 @@ std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count);
 // Those of them that the case's comparisons fit.
 std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition);
 
-// The case's window, or the part of it that a record covers. A candidate must cover it all.
-TimeWindow compared_window(const CaseDefinition& definition, const std::string& reference);
+// The window, or the part of it that a record covers. A candidate must cover it all.
+TimeWindow compared_window(TimeWindow window, const CaseDefinition& definition,
+                           const std::string& reference);
 
 // Role, run, quantity, window's begin and end, number of modes: a series is prepared once for all
 // its comparisons.
@@ -70,7 +71,11 @@ class CaseEvidence {
   const Comparison& comparison(const std::string& candidate, const std::string& reference,
                                const std::string& quantity);
 
-  // The functions refer to this object.
+  // The evidence of the row's own time: this object, or where the row is judged over another time
+  // than the case's window (judged_time()) one that it holds.
+  CaseEvidence& over_time_of(const GateRow& row);
+
+  // The functions refer to this object, whose window they cut series to.
   GateEvidence gate_evidence();
 
   // Measures a row with a series in the place of a run's; it refers to this object.
@@ -89,6 +94,8 @@ class CaseEvidence {
   std::vector<ToneRequest> modes_;
   FittedComparisons fitted_;
   std::map<std::string, Estimate> of_repeats_ = {};  // by row; before any correction
+  struct OtherTime;
+  std::map<std::pair<double, double>, std::shared_ptr<OtherTime>> other_times_ = {};
 
   // Compares with the reference's series, moved or not.
   const Comparison& comparison_with(const std::string& candidate, const std::string& reference,
@@ -96,6 +103,7 @@ class CaseEvidence {
   Comparison compared(const std::string& candidate, const std::string& reference,
                       const std::string& quantity, const Moved& moved);
   const Contribution& input_contribution(const GateRow& row);
+  RowDoubts doubts_of_runs(const GateRow& row) const;
   const Estimate& of_repeats(const std::vector<std::string>& members, const GateRow& row);
   Estimate corrected_p_value(const std::vector<std::string>& members, const GateRow& row);
   const PreparedSeries& prepared(const std::string& role, const std::string& run,

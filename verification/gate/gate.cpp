@@ -12,6 +12,7 @@
 
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/gate/measured_value.hpp"
+#include "verification/gate/own_series.hpp"
 #include "verification/series/interval_text.hpp"
 
 namespace slosh {
@@ -229,6 +230,16 @@ std::optional<std::pair<Verdict, std::string>> obstacle_to(
   return std::nullopt;
 }
 
+// A row that counts the scatter of runs which repeat its candidate does not rest on one alone.
+std::vector<RowDoubts> doubts_of(const GateOutcome& outcome, const GateEvidence& evidence) {
+  const GateRow& row = outcome.row;
+  std::vector<RowDoubts> doubts{doubts_of_samples(row, evidence)};
+  if (outcome.judgement && !(outcome.judgement->contributions.time_series.known() > 0))
+    doubts.push_back(single_run_doubts(row, outcome.value.value, allowed_by(row), evidence));
+  if (evidence.doubts_of_runs) doubts.push_back(evidence.doubts_of_runs(row));
+  return doubts;
+}
+
 }  // namespace
 
 AllowedRange allowed_by(const GateRow& row) {
@@ -249,7 +260,7 @@ std::optional<AllowedRange> tolerance_of(const CaseDefinition& definition,
                                          const Comparison& comparison, const std::string& mode,
                                          Metric metric) {
   for (const GateRow& row : definition.gate)
-    if (row.metric == metric && row.mode == mode && (row.limit || row.between) &&
+    if (row.metric == metric && row.mode == mode && !row.part && (row.limit || row.between) &&
         row.candidate == comparison.candidate && row.reference == comparison.reference &&
         row.quantity == comparison.quantity)
       return allowed_by(row);
@@ -273,12 +284,13 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
     const Estimate value = measured(row, evidence);
     GateOutcome outcome = row.improves_on ? judge_improvement(row, value, evidence)
                                           : judge_bound(row, value, evidence);
-    const SampleDoubts doubts = doubts_of_samples(row, evidence);
-    outcome.message += doubts.text;
-    if (doubts.keep_from_passing && outcome.verdict == Verdict::pass &&
-        row.kind != RowKind::regression)
-      outcome.verdict = Verdict::inconclusive;
-    if (evidence.kept) outcome.message += evidence.kept(row);
+    outcome.message += place_text(row, evidence);
+    for (const RowDoubts& doubts : doubts_of(outcome, evidence)) {
+      outcome.message += doubts.text;
+      if (doubts.keep_from_passing && outcome.verdict == Verdict::pass &&
+          row.kind != RowKind::regression)
+        outcome.verdict = Verdict::inconclusive;
+    }
     if (row.kind == RowKind::regression) outcome.message += " (regression)";
     return outcome;
   } catch (const NotSuppliedError& error) {

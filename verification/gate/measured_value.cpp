@@ -17,7 +17,6 @@
 #include "verification/metrics/ensemble_mean.hpp"
 
 namespace slosh {
-namespace {
 
 const ModeComparison& mode_of(const Comparison& comparison, const std::string& mode) {
   const auto found = std::find_if(comparison.modes.begin(), comparison.modes.end(),
@@ -36,6 +35,26 @@ const ModeComparison& mode_of(const Comparison& comparison, const std::string& m
         *found->beside / (2 * std::numbers::pi)));
   return *found;
 }
+
+void require_unit(const GateRow& row, const std::string& quantity_unit) {
+  const std::string unit = metric_unit(row.metric, quantity_unit);
+  if (unit == row.unit) return;
+  throw ComparisonError(
+      fmt::format("{} is in {}, the row's limit in {}", metric_name(row.metric), unit, row.unit));
+}
+
+Peak largest_of(const TimeSeries& series) {
+  Peak largest{series.value.empty() ? not_a_number : 0, not_a_number};
+  for (std::size_t i = 0; i < series.value.size(); ++i) {
+    const double magnitude = std::abs(series.value[i]);
+    if (magnitude <= largest.magnitude && i > 0) continue;
+    largest = {magnitude, i < series.time.size() ? series.time[i] : not_a_number};
+    if (std::isnan(magnitude)) break;
+  }
+  return largest;
+}
+
+namespace {
 
 // A reference that does not decay, such as potential flow, has no decay rate to divide by.
 Estimate decay_error_of(const ModeComparison& mode) {
@@ -63,18 +82,14 @@ Estimate spectral_peak_error(const Comparison& comparison) {
   return error;
 }
 
-TimeWindow window_of(const GateRow& row, const Comparison& comparison) {
-  return row.part ? TimeWindow{row.part->first, row.part->second} : comparison.window;
-}
-
-// The metric holds for the declared window or its declared part alone, like normalised_rms.
-Estimate band_value(const GateRow& row, const Comparison& comparison) {
+// The metric holds for the window alone, like normalised_rms.
+Estimate band_value(const Comparison& comparison) {
   if (!comparison.margin)
     throw ComparisonError(
         fmt::format("{} has no band for {}; expected a record with lower_column "
                     "and upper_column",
                     comparison.reference, comparison.quantity));
-  return {share_outside(*comparison.margin, window_of(row, comparison)), 0};
+  return {share_outside(*comparison.margin, comparison.window), 0};
 }
 
 Estimate metric_value(Metric metric, const std::string& mode, const Comparison& comparison) {
@@ -110,6 +125,7 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::largest_magnitude:
     case Metric::noise_share:
     case Metric::initial_value:
+    case Metric::frequency:
     case Metric::plateau_error:
     case Metric::impact_arrival:
     case Metric::impact_peak_error:
@@ -134,22 +150,12 @@ Estimate cost_value(const CostAtError& found) {
   return {found.cost, found.cost * std::expm1(found.cost_spread)};
 }
 
-// NaN where a value is NaN or where there is no value at all.
-double largest_magnitude(const TimeSeries& series) {
-  double largest = series.value.empty() ? no_value.value : 0;
-  for (const double value : series.value) {
-    if (std::isnan(value)) return value;
-    largest = std::max(largest, std::abs(value));
-  }
-  return largest;
-}
-
 // Throws ComparisonError where no sample lies within an interval of the start.
 double initial_value(const TimeSeries& series, double interval) {
   const auto nearest =
       std::min_element(series.time.begin(), series.time.end(),
                        [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const double at = nearest == series.time.end() ? no_value.value : *nearest;
+  const double at = nearest == series.time.end() ? not_a_number : *nearest;
   if (!(std::abs(at) <= 1.001 * interval))
     throw ComparisonError(fmt::format(
         "the sample of {} nearest to the start is at {:.4g} s; expected one within {:g} s "
@@ -158,27 +164,31 @@ double initial_value(const TimeSeries& series, double interval) {
   return series.value.at(static_cast<std::size_t>(nearest - series.time.begin()));
 }
 
-void require_unit(const GateRow& row, const std::string& quantity_unit) {
-  const std::string unit = metric_unit(row.metric, quantity_unit);
-  if (unit == row.unit) return;
-  throw ComparisonError(
-      fmt::format("{} is in {}, the row's limit in {}", metric_name(row.metric), unit, row.unit));
+// A run that is compared with itself has its own modes.
+Estimate frequency(const GateRow& row, const GateEvidence& evidence) {
+  const Comparison& itself = evidence.comparison(row.candidate, row.candidate, row.quantity);
+  const Estimate& found = mode_of(itself, row.mode).candidate.angular_frequency;
+  constexpr double turn = 2 * std::numbers::pi;
+  return {found.value / turn, found.half_width / turn};
 }
 
-// The series over the window is requested first in any case: a series that is unusable there is
-// refused for initial_value too.
-double candidate_alone(const GateRow& row, const GateEvidence& evidence) {
+Estimate candidate_alone(const GateRow& row, const GateEvidence& evidence) {
+  if (row.metric == Metric::frequency) {
+    require_unit(row, "");
+    return frequency(row, evidence);
+  }
   const TimeSeries series = evidence.series(row.candidate, row.quantity);
   require_unit(row, series.unit);
-  if (row.metric == Metric::noise_share) return noise_share(series);
-  if (row.metric == Metric::largest_magnitude) return largest_magnitude(series);
+  if (row.metric == Metric::noise_share) return {noise_share(series), 0};
+  if (row.metric == Metric::largest_magnitude) return {largest_of(series).magnitude, 0};
   if (row.metric == Metric::initial_value)
-    return initial_value(evidence.history(row.candidate, row.quantity), evidence.sample_interval);
+    return {initial_value(evidence.history(row.candidate, row.quantity), evidence.sample_interval),
+            0};
   throw std::logic_error("the candidate alone has no value of " + metric_name(row.metric));
 }
 
 Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
-  if (is_of_candidate_alone(row.metric)) return {candidate_alone(row, evidence), 0};
+  if (is_of_candidate_alone(row.metric)) return candidate_alone(row, evidence);
   if (is_of_impacts(row.metric)) {
     require_unit(row, "Pa");
     return {evidence.impacts(row.candidate, row), 0};
@@ -193,17 +203,17 @@ Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
   }
   const Comparison& comparison = evidence.comparison(row.candidate, row.reference, row.quantity);
   require_unit(row, comparison.unit);
-  if (is_of_band(row.metric)) return band_value(row, comparison);
+  if (is_of_band(row.metric)) return band_value(comparison);
   return metric_value(row.metric, row.mode, comparison);
 }
 
-void add_doubt(const std::string& text, SampleDoubts& found) {
+void add_doubt(const std::string& text, RowDoubts& found) {
   found.text += "; " + text;
   found.keep_from_passing = true;
 }
 
 // Throws ComparisonError below least_coverage.
-void add_coverage(double covered, SampleDoubts& found) {
+void add_coverage(double covered, RowDoubts& found) {
   if (covered >= 1) return;
   if (covered < least_coverage)
     throw ComparisonError(
@@ -214,7 +224,7 @@ void add_coverage(double covered, SampleDoubts& found) {
       fmt::format("; over {:.2g} % of the window, which the samples cover", 100 * covered);
 }
 
-void add_doubtful(const std::vector<std::string>& doubts, SampleDoubts& found) {
+void add_doubtful(const std::vector<std::string>& doubts, RowDoubts& found) {
   if (!doubts.empty()) add_doubt(fmt::format("doubtful: {}", fmt::join(doubts, "; ")), found);
 }
 
@@ -260,14 +270,14 @@ std::string met_by_nothing(const GateRow& row, const Comparison& pair) {
         "that does not move meets them wherever it stays",
         departure, pair.unit);
   if (!pair.margin_of_nothing) return "";
-  const double outside = share_outside(*pair.margin_of_nothing, window_of(row, pair));
+  const double outside = share_outside(*pair.margin_of_nothing, pair.window);
   return row.metric == Metric::outside_band && holds(outside)
              ? fmt::format("the bounds hold {:.3g} %, the share of a candidate of zeros",
                            100 * outside)
              : "";
 }
 
-void add_doubts_of_pairs(const GateRow& row, const GateEvidence& evidence, SampleDoubts& found) {
+void add_doubts_of_pairs(const GateRow& row, const GateEvidence& evidence, RowDoubts& found) {
   const Comparison *unseen = nullptr, *barest = nullptr;
   std::vector<std::string> doubtful;
   for (const std::string& candidate : ensemble_of(row.candidate, evidence).members)
@@ -286,8 +296,7 @@ void add_doubts_of_pairs(const GateRow& row, const GateEvidence& evidence, Sampl
 }
 
 // What a run records beside the compared quantities need not be what a sensor reads.
-void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
-                             SampleDoubts& found) {
+void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence, RowDoubts& found) {
   const FindHistory& find = is_of_impacts(row.metric) ? evidence.history : evidence.series;
   if (!find) return;
   std::vector<std::string> doubts;
@@ -329,8 +338,8 @@ std::string unseen_text(const UnseenInterval& unseen, const std::string& unit) {
       unseen.begin, unseen.end, unseen.departure, unit);
 }
 
-SampleDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence) {
-  SampleDoubts found;
+RowDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence) {
+  RowDoubts found;
   if (is_of_a_pair(metric_entry(row.metric)))
     add_doubts_of_pairs(row, evidence, found);
   else if (is_of_impacts(row.metric) || is_of_candidate_alone(row.metric))

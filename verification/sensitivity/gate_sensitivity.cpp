@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "verification/case/ensemble.hpp"
+#include "verification/case/judged_time.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/gate/impact_metrics.hpp"
@@ -15,9 +16,9 @@ namespace {
 
 SpoilingFrame frame_of(const CaseDefinition& definition, const GateRow& row) {
   const bool has_reference = !row.reference.empty() && !is_of_impacts(row.metric);
-  const TimeWindow window = has_reference
-                                ? compared_window(definition, row.reference)
-                                : TimeWindow{definition.window_begin, definition.window_end};
+  const auto [begin, end] = judged_time(row, definition);
+  const TimeWindow window = has_reference ? compared_window({begin, end}, definition, row.reference)
+                                          : TimeWindow{begin, end};
   SpoilingFrame frame{window, window.end - window.begin, datum_of(definition, row.quantity)};
   const std::vector<ToneRequest> modes = fitted_modes(definition);
   if (modes.empty()) return frame;

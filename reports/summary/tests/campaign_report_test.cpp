@@ -209,6 +209,16 @@ TEST(CampaignReport, NamesInItsBannerWhatDecides) {
   }
 }
 
+TEST(CampaignReport, TellsOfRunsThatAreNotSoundOnTheFirstAndTheCasesPage) {
+  CaseAssessment doubtful = good();
+  doubtful.runs.results.at("particles").diagnostics["largest_mach_number"] = 0.42;
+  const reports::Report report = report_of(surge_campaign(), {doubtful});
+  ASSERT_EQ(report.doubts.size(), 1U);
+  EXPECT_TRUE(report.doubts[0].starts_with("doubtful: small_surge: particles is not sound"));
+  EXPECT_EQ(report.pages.at(0).doubts, report.doubts);
+  EXPECT_TRUE(report_of(surge_campaign(), {good()}).doubts.empty());
+}
+
 TEST(CampaignReport, TellsTheCoverageOfTheGatesAndShowsEachCaseAtAGlance) {
   CaseAssessment unjudged = good();
   unjudged.definition.name = "third_surge";

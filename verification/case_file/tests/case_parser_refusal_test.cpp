@@ -406,7 +406,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "normalised_rms, "
                 "aligned_rms, largest_magnitude, "
                 "cross_correlation_lag, spectral_peak_error, rms_error, "
-                "mean_offset, noise_share, initial_value, "
+                "mean_offset, noise_share, initial_value, frequency, "
                 "plateau_error, impact_arrival, "
                 "impact_peak_error, "
                 "impulse_error, peak_mean_p_value, peak_ks_p_value, peak_ad_p_value, "

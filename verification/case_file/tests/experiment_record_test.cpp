@@ -241,21 +241,31 @@ TEST(ExperimentRecord, WithoutABandServesNoRowOnOne) {
       << message;
 }
 
-TEST(ExperimentRecord, HasPartsOfTheWindowForItsBandAlone) {
+TEST(ExperimentRecord, ServesRowsOnPartsOfTheRun) {
+  const auto part_of = [](const std::string& keys) {
+    std::string row = band_row;
+    row.replace(row.find("outside_band"), 12, "rms_error");
+    return read_text(text_with(experiment + band + row + keys)).gate.back().part;
+  };
+  EXPECT_EQ(part_of("part_begin_s = 0.5\npart_end_s = 3\n"), std::pair(0.5, 3.0));
+  EXPECT_EQ(part_of("part_begin_s = 5\n"), std::pair(5.0, 20.0));
+  EXPECT_EQ(part_of("part_end_s = 5\n"), std::pair(0.0, 5.0));
   const auto said = [](const std::string& row) {
     return complaint_about_record(experiment + band + row, banded);
   };
-  EXPECT_NE(said(band_row + "part_begin_s = 0.5\npart_end_s = 3\n")
-                .find("gate.part_begin_s = 0.5: expected a number from 1 to below 20"),
+  EXPECT_NE(said(band_row + "part_begin_s = 20\n")
+                .find("gate.part_begin_s = 20: expected a number >= 0 and below the duration (20)"),
             std::string::npos);
   EXPECT_NE(said(band_row + "part_begin_s = 3\npart_end_s = 3\n")
                 .find("gate.part_end_s = 3: expected a number above part_begin_s (3)"),
             std::string::npos);
-  std::string other = band_row;
-  other.replace(other.find("outside_band"), 12, "rms_error");
-  EXPECT_NE(said(other + "part_begin_s = 3\npart_end_s = 4\n")
-                .find("only a metric of a band is taken over a part of the window"),
-            std::string::npos);
+  std::string start = band_row;
+  start.replace(start.find("outside_band"), 12, "initial_value");
+  start.erase(start.find("reference"), std::string("reference = \"probe\"\n").size());
+  EXPECT_NE(said(start + "part_begin_s = 3\n")
+                .find("initial_value has no part of the run, as it is the value at the start"),
+            std::string::npos)
+      << said(start + "part_begin_s = 3\n");
 }
 
 }  // namespace

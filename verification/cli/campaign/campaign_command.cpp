@@ -19,6 +19,7 @@
 #include "verification/cli/campaign/assessed_campaign.hpp"
 #include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/cli/campaign/report_of_all.hpp"
+#include "verification/evidence/soundness.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 #include "verification/texts/assessment_text.hpp"
@@ -69,10 +70,12 @@ int judge_campaign(RequestedCampaign campaign, const CampaignOptions& options,
                status);
   std::vector<std::string> lines{fmt::format("{}: {}{}", headline_word(status),
                                              verdict_sentence(assessed.cases, assessed.problems),
-                                             coverage_sentence(assessed.cases)),
-                                 kinds_sentence(assessed.cases, assessed.problems),
-                                 cost_sentence(assessed.cases, assessed.problems),
-                                 fmt::format("report: {}\n", page_in(place).string())};
+                                             coverage_sentence(assessed.cases))};
+  for (const CaseAssessment& one : assessed.cases)
+    lines.push_back(doubtful_runs(one.definition, one.runs));
+  lines.insert(lines.end(), {kinds_sentence(assessed.cases, assessed.problems),
+                             cost_sentence(assessed.cases, assessed.problems),
+                             fmt::format("report: {}\n", page_in(place).string())});
   std::erase(lines, "");
   print_lines(fmt::format("{}", fmt::join(lines, "\n")));
   return status;

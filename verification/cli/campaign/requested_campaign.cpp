@@ -7,6 +7,7 @@
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/ensemble.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/sweep.hpp"
@@ -25,6 +26,15 @@ void require_window(const CaseDefinition& definition) try {
   require_resolved({definition.window_begin, definition.window_end}, fitted_modes(definition));
 } catch (const ComparisonError& error) {
   throw CaseFileError(fmt::format("{}: comparison: {}", definition.file.string(), error.what()));
+}
+
+void require_part(const GateRow& row, const CaseDefinition& definition) try {
+  const bool has_tones = is_of_a_pair(metric_entry(row.metric)) && has_modes(row.quantity);
+  if (row.part && (has_tones || row.metric == Metric::frequency))
+    require_resolved({row.part->first, row.part->second}, fitted_modes(definition));
+} catch (const ComparisonError& error) {
+  throw CaseFileError(fmt::format("{}:{}: part_begin_s, part_end_s: {}", row.where.file,
+                                  row.where.line, error.what()));
 }
 
 void require_timed_runs(const CampaignDefinition& campaign,
@@ -99,6 +109,8 @@ void require_runnable(const std::vector<CaseDefinition>& cases) {
   Complaints complaints;
   for (const CaseDefinition& definition : cases) {
     complaints.allow([&] { require_window(definition); });
+    for (const GateRow& row : definition.gate)
+      complaints.allow([&] { require_part(row, definition); });
     for (const RunDefinition& run : definition.runs)
       complaints.allow([&] { require_runnable(definition, run); });
   }
