@@ -208,11 +208,6 @@ TEST_F(HarvestedPressure, IsRefusedWithoutAFaceASampleOrTheGas) {
   EXPECT_NE(pressure_refusal().find("missing"), std::string::npos) << pressure_refusal();
 }
 
-TEST_F(Harvested, RefusesAGaugesCellsThatAreNotAllThere) {
-  write_gauge_cells(9);
-  EXPECT_NE(refusal().find("expected 11 finite numbers"), std::string::npos) << refusal();
-}
-
 // The column's front moves by a cell every ten samples.
 class HarvestedColumn : public Harvested {
  protected:
@@ -266,56 +261,44 @@ TEST_F(Harvested, GivesNoFrontOfALiquidThatFillsTheTank) {
   EXPECT_TRUE(harvest(tank_with_one_gauge(), directory_.path()).front_position.time.empty());
 }
 
-TEST_F(Harvested, RefusesANumberThatIsNone) {
-  write("column_19", "volFieldValue.dat", "# Cells : 10\n",
-        [](int i) { return i == 57 ? std::nan("") : 0.35; });
-  EXPECT_NE(refusal().find("nan"), std::string::npos) << refusal();
-  EXPECT_NE(refusal().find("column_19"), std::string::npos) << refusal();
-}
-
-TEST_F(Harvested, RefusesASeriesThatEndsEarly) {
-  write("column_18", "volFieldValue.dat", "# Cells : 10\n", left_filling, 99);
-  EXPECT_NE(refusal().find("ends at 0.99 s, expected 1 s"), std::string::npos) << refusal();
-}
-
-TEST_F(Harvested, RefusesAnEmptySeries) {
-  write("liquid_volume", "volFieldValue.dat", "", left_filling, 0);
-  EXPECT_NE(refusal().find("liquid_volume"), std::string::npos) << refusal();
-}
-
-TEST_F(Harvested, RefusesARowCutShort) {
-  const fs::path file = series("wall_force", "force.dat");
-  fs::resize_file(file, fs::file_size(file) - 9);
-  EXPECT_NE(refusal().find("expected 10 finite numbers"), std::string::npos) << refusal();
-}
-
-TEST_F(Harvested, RefusesASeriesWithAHole) {
-  std::string text = contents(series("column_18"));
-  const auto hole = text.find("\n0.5 ");
-  text.erase(hole, text.find("\n0.51 ") - hole);
-  std::ofstream(series("column_18")) << text;
-  EXPECT_NE(refusal().find("a sample at 0.51 s follows one at 0.49 s"), std::string::npos)
-      << refusal();
-}
-
-TEST_F(Harvested, RefusesAMissingSeries) {
-  fs::remove(series("wall_force", "force.dat"));
-  EXPECT_NE(refusal().find("missing"), std::string::npos) << refusal();
-}
-
-TEST_F(Harvested, RefusesAColumnOfTheWrongHeight) {
-  write("column_18", "volFieldValue.dat", "# Cells             : 20\n", left_filling);
-  EXPECT_NE(refusal().find("a column of 20 cells, expected 10"), std::string::npos) << refusal();
-}
-
-TEST_F(Harvested, RefusesALiquidThatGrowsOrShrinks) {
-  write("liquid_volume", "volFieldValue.dat", "", [](int i) { return 0.35 * (1 - 2e-6 * i); });
-  EXPECT_NE(refusal().find("volume has changed"), std::string::npos) << refusal();
-}
-
-TEST_F(Harvested, RefusesALogThatDoesNotEnd) {
-  std::ofstream(directory_.path() / "log.interFoam") << "Time = 0.5\n";
-  EXPECT_NE(refusal().find("no line \"End\""), std::string::npos) << refusal();
+TEST_F(Harvested, RefusesWhatIsDamaged) {
+  const auto refuse = [this](const char* said, const std::function<void()>& damage) {
+    damage();
+    const std::string message = refusal();
+    EXPECT_NE(message.find(said), std::string::npos) << said << ", got: " << message;
+    fs::remove_all(directory_.path() / "postProcessing");
+    SetUp();
+    EXPECT_EQ(refusal(), "");
+  };
+  refuse("nan", [&] {
+    write("column_19", "volFieldValue.dat", "# Cells : 10\n",
+          [](int i) { return i == 57 ? std::nan("") : 0.35; });
+    EXPECT_NE(refusal().find("column_19"), std::string::npos) << refusal();
+  });
+  refuse("ends at 0.99 s, expected 1 s",
+         [&] { write("column_18", "volFieldValue.dat", "# Cells : 10\n", left_filling, 99); });
+  refuse("liquid_volume",
+         [&] { write("liquid_volume", "volFieldValue.dat", "", left_filling, 0); });
+  refuse("expected 10 finite numbers", [&] {
+    const fs::path file = series("wall_force", "force.dat");
+    fs::resize_file(file, fs::file_size(file) - 9);
+  });
+  refuse("a sample at 0.51 s follows one at 0.49 s", [&] {
+    std::string text = contents(series("column_18"));
+    const auto hole = text.find("\n0.5 ");
+    text.erase(hole, text.find("\n0.51 ") - hole);
+    std::ofstream(series("column_18")) << text;
+  });
+  refuse("missing", [&] { fs::remove(series("wall_force", "force.dat")); });
+  refuse("a column of 20 cells, expected 10", [&] {
+    write("column_18", "volFieldValue.dat", "# Cells             : 20\n", left_filling);
+  });
+  refuse("volume has changed", [&] {
+    write("liquid_volume", "volFieldValue.dat", "", [](int i) { return 0.35 * (1 - 2e-6 * i); });
+  });
+  refuse("no line \"End\"",
+         [&] { std::ofstream(directory_.path() / "log.interFoam") << "Time = 0.5\n"; });
+  refuse("expected 11 finite numbers", [&] { write_gauge_cells(9); });
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(NonlinearConvergence, ReachesTheStepsErrorWithAStandingWave) {
 // The paper's motion, with a smooth ramp over 3 s and waves of 3 mm, is compared with the solution
 // of 80 x 28 nodes. The surface's slope at the walls causes a singularity d^2 log d in the corners.
 // Measured at 0.45 m with 24, 48 and 64 nodes: 1e-8, 5.7e-10 and 3.4e-11 m; with 64 nodes 1.6e-9 m
-// on the wall, and 4.8e-6 Pa below it.
+// on the wall, and 4.8e-6 Pa below it. The four grids take ten seconds.
 TEST(NonlinearConvergence, ReachesTenToTheMinusTenWithAForcedWave) {
   const Observation observation{
       .times = instants_up_to(5, 0.25), .gauges = {0.45, 0.5}, .places = {{0.5, -0.1}}};
@@ -106,7 +106,8 @@ TEST(NonlinearConvergence, FollowsThePapersCaseForTwentySeconds) {
 }
 
 // A step of the acceleration excites short waves that no grid resolves, and does so as n^-2: the
-// surface is compared with the solution of 64 nodes.
+// surface is compared with the solution of 64 nodes, whose short waves make it take fifteen
+// seconds.
 TEST(NonlinearConvergence, ConvergesFromAnAccelerationStep) {
   const double wall = faltinsen_tank.length / 2;
   const Observation observation{.times = instants_up_to(6, 0.05), .gauges = {wall - 0.05, wall}};

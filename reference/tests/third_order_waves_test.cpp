@@ -25,7 +25,8 @@ std::vector<double> less(std::vector<double> values, const std::vector<double>& 
 }
 
 // k A = 0.16, where the sum of the forcing's and the first frequency is near the second mode's:
-// linear theory is 43 % rms off there. And a wave near resonance.
+// linear theory is 43 % rms off there. And a wave near resonance. The resolved potential flow takes
+// eleven seconds.
 TEST(ThirdOrderWaves, AreWhatPotentialFlowAddsToLinearTheory) {
   const Tank tank{.length = 1, .fill_depth = 0.35, .gravity = 9.81, .density = 1000};
   const auto times = instants_up_to(20, 0.05);

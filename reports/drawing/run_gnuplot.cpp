@@ -3,39 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/process.hpp>
 #include <chrono>
 #include <system_error>
-#include <thread>
 
 #include "reports/model/report_files.hpp"
 #include "reports/model/report_model.hpp"
+#include "verification/files/child_process.hpp"
 #include "verification/files/foreign/legible_text.hpp"
 
 namespace slosh::reports {
 
-namespace process = boost::process;
-
-namespace {
-
-// Waits for the child, which starts no processes of its own. Returns false after killing it at the
-// time limit.
-bool ends_within(process::child& child, double time_limit) {
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration<double>(time_limit);
-  while (child.running()) {
-    if (Clock::now() > end) {
-      child.terminate();
-      return false;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return true;
-}
-
-}  // namespace
-
-std::filesystem::path gnuplot_program() { return process::search_path("gnuplot").string(); }
+std::filesystem::path gnuplot_program() { return program_on_path("gnuplot"); }
 
 std::string run_gnuplot(const std::string& script, const std::string& figure_id,
                         const std::filesystem::path& scratch_directory) {
@@ -52,26 +30,22 @@ std::string run_gnuplot_within(double time_limit, const std::string& script,
         "gnuplot-nox)");
   }
   const auto program = scratch_directory / (figure_id + ".gp");
-  const auto output = scratch_directory / (figure_id + ".out");
-  const auto messages = scratch_directory / (figure_id + ".log");
   write_text(program, script);
-  for (const auto& file : {output, messages})
-    std::filesystem::remove(file);  // an earlier one would be overwritten, but not truncated
-  std::error_code failure;
-  process::child child(gnuplot.string(), "--default-settings", program.string(),
-                       process::std_in<process::null, process::std_out> output.string(),
-                       process::std_err > messages.string(), failure);
-  if (failure)
+  try {
+    ChildProcess child({gnuplot.string(), "--default-settings", program.string()},
+                       {.splits_errors = true});
+    if (!child.ends_within(std::chrono::duration<double>(time_limit)))
+      throw ReportError(
+          fmt::format("figure '{}': gnuplot was ended at its time limit of {:g} s: {}", figure_id,
+                      time_limit, child.errors()));
+    if (child.wait_status() != 0)
+      throw ReportError(fmt::format("figure '{}': gnuplot ended with status {}: {}", figure_id,
+                                    child.exit_status(), child.errors()));
+    return child.output();
+  } catch (const std::system_error& failure) {
     throw ReportError(
-        fmt::format("figure '{}': gnuplot did not start: {}", figure_id, failure.message()));
-  if (!ends_within(child, time_limit))
-    throw ReportError(fmt::format("figure '{}': gnuplot was ended at its time limit of {:g} s: {}",
-                                  figure_id, time_limit, read_text(messages)));
-  if (child.exit_code() != 0) {
-    throw ReportError(fmt::format("figure '{}': gnuplot ended with status {}: {}", figure_id,
-                                  child.exit_code(), read_text(messages)));
+        fmt::format("figure '{}': gnuplot did not start: {}", figure_id, failure.what()));
   }
-  return read_text(output);
 }
 
 std::string broken_output(const std::string& figure_id, const std::string& what,

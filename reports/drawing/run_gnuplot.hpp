@@ -11,9 +11,9 @@ namespace slosh::reports {
 std::filesystem::path gnuplot_program();
 
 // Returns what gnuplot, started without a shell and without the user's start-up files, writes to
-// its standard output. Its program, output and messages are kept in the scratch directory under the
-// figure's id. Throws ReportError with gnuplot's own words when it is missing, fails, or takes
-// longer than two minutes: a figure takes a second at most.
+// its standard output. Its program is kept in the scratch directory under the figure's id. Throws
+// ReportError with gnuplot's own words when it is missing, fails, or takes longer than two minutes:
+// a figure takes a second at most.
 std::string run_gnuplot(const std::string& script, const std::string& figure_id,
                         const std::filesystem::path& scratch_directory);
 // The same with a time limit [s].

@@ -40,7 +40,7 @@ struct GateDocument {
   std::vector<GateEntry> entries;
   std::string basis = {};                          // what the rows are based on; may be empty
   std::map<std::string, std::string> doubts = {};  // by group: which of its runs are not sound
-  int exit_status = 0;  // that of the verdict, whatever the user replaces it by
+  int exit_status = 0;                             // that of the process
   // Whether inconclusive rows leave the exit status at 0: JUnit then calls them skipped.
   bool inconclusive_passes = false;
 };
@@ -51,14 +51,16 @@ std::vector<const GateEntry*> worst_first(const GateDocument& document);
 
 // Returns JUnit XML: testsuites / testsuite (a group) / testcase, with value, uncertainty and
 // tolerance as properties, and a group's doubts as a property of its suite. Violated, inconclusive
-// and lost rows are failures; rows that were not compared or whose solver failed are errors.
+// and lost rows are failures; rows that were not compared or whose solver failed are errors. It
+// ends as gate_markdown() does.
 std::string junit_xml(const GateDocument& document);
 
 // Returns a table, worst first, of all rows except those that pass unchanged and those that are
 // skipped, which are counted. It ends with a comment that holds the exit status.
 std::string gate_markdown(const GateDocument& document);
 
-// Returns the exit status that gate_markdown() has written; nullopt for another text.
-std::optional<int> exit_status_in(const std::string& markdown);
+// The comment at the end of both, and the exit status in it; nullopt for another text.
+std::string status_comment(const GateDocument& document);
+std::optional<int> exit_status_in(const std::string& text);
 
 }  // namespace slosh::reports

@@ -127,7 +127,7 @@ std::string junit_xml(const GateDocument& document) {
   std::ostringstream text;
   boost::property_tree::write_xml(
       text, root, boost::property_tree::xml_writer_make_settings<std::string>(' ', 2));
-  return text.str();
+  return text.str() + status_comment(document);
 }
 
 }  // namespace slosh::reports

@@ -90,13 +90,17 @@ std::string gate_markdown(const GateDocument& document) {
   if (skipped > 0)
     text += fmt::format("\nRows that are not selected, or whose records are not supplied: {}.\n",
                         skipped);
-  return text + fmt::format("\n{}{} -->\n", status_mark, document.exit_status);
+  return text + "\n" + status_comment(document);
 }
 
-std::optional<int> exit_status_in(const std::string& markdown) {
-  const std::size_t at = markdown.rfind(status_mark);
-  if (at == markdown.npos) return std::nullopt;
-  return std::atoi(markdown.c_str() + at + std::strlen(status_mark));
+std::string status_comment(const GateDocument& document) {
+  return fmt::format("{}{} -->\n", status_mark, document.exit_status);
+}
+
+std::optional<int> exit_status_in(const std::string& text) {
+  const std::size_t at = text.rfind(status_mark);
+  if (at == text.npos) return std::nullopt;
+  return std::atoi(text.c_str() + at + std::strlen(status_mark));
 }
 
 }  // namespace slosh::reports

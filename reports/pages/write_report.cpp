@@ -1,21 +1,20 @@
 #include "reports/pages/write_report.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <stdio.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
+#include <set>
 #include <string>
-#include <system_error>
+#include <vector>
 
 #include "reports/model/report_files.hpp"
 #include "reports/pages/check_report.hpp"
 #include "reports/pages/draw_report.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/templates.hpp"
+#include "verification/files/content_hash.hpp"
 #include "verification/files/own_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 
 namespace slosh::reports {
 namespace {
@@ -35,23 +34,31 @@ void write_files(const Report& report, const Drawings& drawings, const fs::path&
   write_text(directory / "results.schema.json", results_schema);
 }
 
-// Renames the complete report to the target in one step if the file system can, else in two. An old
-// report goes to `aside` or to the complete one's former name.
-void swap_in(const fs::path& complete, const fs::path& target, const fs::path& aside) {
-  const bool replaces = fs::exists(target);
-  const unsigned flags = replaces ? RENAME_EXCHANGE : 0;
-  if (renameat2(AT_FDCWD, complete.c_str(), AT_FDCWD, target.c_str(), flags) == 0) return;
-  if (!replaces || (errno != EINVAL && errno != ENOSYS)) {
-    throw ReportError("cannot rename " + complete.string() + " to " + target.string() + ": " +
-                      std::strerror(errno));
-  }
-  fs::rename(target, aside);
-  try {
-    fs::rename(complete, target);
-  } catch (const fs::filesystem_error&) {
-    fs::rename(aside, target);
-    throw;
-  }
+std::vector<fs::path> files_in(const fs::path& directory) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(directory))
+    if (!fs::is_directory(entry.symlink_status()))
+      files.push_back(entry.path().lexically_relative(directory));
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// Replaces the pages one by one, so that a user's files beside them stay where they are. The first
+// page and the data, which tell the verdict, come last.
+void replace_pages(const fs::path& complete, const fs::path& target) {
+  const std::vector<fs::path> files = files_in(complete);
+  const std::set<fs::path> last{"index.html", "results.json"};
+  for (const bool is_last : {false, true})
+    for (const fs::path& file : files)
+      if (last.contains(file) == is_last) {
+        const fs::path place = target / file, directory = place.parent_path();
+        if (fs::is_regular_file(fs::symlink_status(directory))) make_room(directory);
+        replace_own(place, read_bytes(complete / file));
+      }
+  for (const fs::path& old : files_in(target))
+    if (!std::binary_search(files.begin(), files.end(), old) && old.filename() != ".slosh" &&
+        !foreign_at(target / old))
+      fs::remove(target / old);
 }
 
 }  // namespace
@@ -63,9 +70,9 @@ void write_report(const Report& given, const fs::path& directory, const WriteOpt
   // the target.
   fs::path target = fs::absolute(directory).lexically_normal();
   if (!target.has_filename()) target = target.parent_path();
-  require_own(target);
-  if (fs::exists(target) && !fs::is_directory(target))
-    throw ReportError("cannot write a report to " + target.string() + ": it is a file");
+  require_no_input(target);
+  require_room(target / "index.html");
+  if (fs::exists(target) && !fs::is_directory(target)) make_room(target);
   fs::create_directories(target.parent_path());
   const TemporaryDirectory temporary(target.string() + ".writing-");
   const fs::path complete = temporary.path() / "report";
@@ -75,8 +82,7 @@ void write_report(const Report& given, const fs::path& directory, const WriteOpt
   const Drawings drawings =
       draw_report(report, options.threads, options.gnuplot, scratch, complete / "figures");
   write_files(report, drawings, complete);
-  list_all_in(complete);
-  swap_in(complete, target, temporary.path() / "old");
+  replace_pages(complete, target);
 } catch (const fs::filesystem_error& error) {
   throw ReportError(
       fmt::format("cannot write the report {}: {}", directory.string(), error.what()));

@@ -1,7 +1,7 @@
 // Writes a report: <directory>/index.html and a file for each other page (self-contained, figures
 // inline as SVG, PNG and GIF), results.json with its schema, and the figures as files of figures/.
-// The files are written to a temporary directory beside the target, which replaces the target when
-// it is complete. So there is always one whole report under the name.
+// They are written to a temporary directory beside the target, and replace those of the target when
+// all are there, the first page and the data last.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +16,9 @@ struct WriteOptions {
   Gnuplot gnuplot = run_gnuplot;
 };
 
-// Replaces an earlier report under the same name. Throws ReportError where something lies there
-// that no report has made (files/own_files.hpp). After an error the earlier report is unchanged.
+// Replaces an earlier report under the same name. What no report has made stays where it is; in the
+// place of a page it is set aside (files/own_files.hpp). Throws ReportError where that cannot be.
+// Until the new report is whole the earlier one is unchanged.
 void write_report(const Report& report, const std::filesystem::path& directory,
                   const WriteOptions& options = {});
 

@@ -129,7 +129,7 @@ RecordedCampaign recorded_campaign(const std::string& text, const std::string& p
   for (const json& set : document.at("model_bias")) recorded.predictions.push_back(set_from(set));
   return recorded;
 } catch (const json::exception& error) {
-  throw std::invalid_argument(error.what());
+  throw std::invalid_argument(words_of(error));
 }
 
 std::vector<PredictionSet> merged_predictions(const std::vector<RecordedCampaign>& campaigns) {
@@ -171,7 +171,8 @@ reports::Report superseded_report(const std::string& campaign, int status, const
   reports::Report report;
   report.title = campaign;
   report.verdict = why;
-  report.outcome = outcome_of(status);
+  const bool is_verdict = std::find(statuses.begin(), statuses.end(), status) != statuses.end();
+  report.outcome = outcome_of(is_verdict ? status : static_cast<int>(exit_not_compared));
   report.results_json = with_exit_status(status, results_json(campaign, false, {}));
   return report;
 }

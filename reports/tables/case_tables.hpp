@@ -28,7 +28,7 @@ reports::Table gate_table(const CaseAssessment& assessment);
 // its mean and the interval that they give it (ensemble_mean.hpp).
 std::optional<reports::Table> ensemble_table(const CaseAssessment& assessment);
 
-// uncertainty_tables.cpp: how uncertain the gate rows are.
+// gate_tables.cpp: how uncertain the gate rows are.
 
 // Returns "u_num 0 %, u_input unknown, u_reference 1.2 %" of a row in that unit.
 std::string uncertainties_text(const ThreeWayOutcome& judged, const std::string& unit);
@@ -73,7 +73,7 @@ std::optional<reports::Table> order_table(const CaseAssessment& assessment);
 // that is compared with theory or a record.
 std::optional<reports::Table> ablation_table(const CaseAssessment& assessment);
 
-// field_tables.cpp
+// comparison_tables.cpp
 
 // For each run and snapshot time the rms of the pressure field against interFoam's, and how the
 // liquids overlap (field_difference.hpp). Needs fields that were compared.
@@ -102,7 +102,7 @@ std::optional<reports::Table> rest_table(const CaseAssessment& assessment);
 // How each run ended, its size, its steps and its cost.
 reports::Table cost_table(const CaseAssessment& assessment);
 
-// step_table.cpp: what a step of a particle costs in each simulation, with the settings that it
+// run_tables.cpp: what a step of a particle costs in each simulation, with the settings that it
 // hangs on; nullopt unless an external program that tells its counts is among them, so that codes
 // are compared.
 std::optional<reports::Table> step_table(const CaseAssessment& assessment);

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +8,9 @@
 #include "reports/tables/case_tables.hpp"
 #include "reports/wording/case_text.hpp"
 #include "reports/wording/report_places.hpp"
+#include "verification/case/case_definition.hpp"
 #include "verification/evidence/case_evidence.hpp"
+#include "verification/evidence/refinement.hpp"
 #include "verification/gate/measured_value.hpp"
 #include "verification/series/sample_moments.hpp"
 
@@ -55,6 +58,42 @@ std::vector<std::string> line_of(const GateOutcome& outcome, const Pairs& pairs)
           row.reference.empty() ? "" : spread_text(transposed(pairs), row.unit),
           fmt::format("{} to {}", in_unit(least, row.unit), in_unit(most, row.unit)),
           verdict_name(outcome.verdict)};
+}
+
+void add_paths(const std::vector<RefinedMetric>& paths, const GateRow& row, Table& table) {
+  for (const RefinedMetric& path : paths) {
+    std::vector<std::string> values;
+    for (const ValueAtStep& one : path.values) values.push_back(in_unit(one.value, row.unit));
+    std::vector<std::string> line{
+        path.path,
+        fmt::format("{}, {}", row.candidate, metric_text(row)),
+        fmt::format("{}", fmt::join(path.runs, ", ")),
+        fmt::format("{}", fmt::join(values, ", ")),
+        path.values.size() == 2 ? "two values" : behaviour_name(path.found.behaviour),
+        observed_order_text(path.found),
+        in_unit(path.found.extrapolated, row.unit),
+        "± " + in_unit(path.found.uncertainty, row.unit)};
+    if (std::find(table.rows.begin(), table.rows.end(), line) == table.rows.end())
+      table.rows.push_back(std::move(line));
+  }
+}
+
+std::string half_width_text(const Contribution& contribution, const std::string& unit) {
+  return contribution.half_width ? "± " + in_unit(*contribution.half_width, unit) : "unknown";
+}
+
+std::string contributions_text(const ThreeWayOutcome& judged, const std::string& unit) {
+  const UncertaintyContributions& of = judged.contributions;
+  std::vector<std::string> parts;
+  const auto add = [&](const char* name, const Contribution& one) {
+    if (!one.half_width) parts.push_back(fmt::format("{} unknown", name));
+    if (one.known() != 0) parts.push_back(fmt::format("{} {}", name, in_unit(one.known(), unit)));
+  };
+  add("time series", of.time_series);
+  add("reference", of.reference);
+  add("discretisation", of.discretisation);
+  add("input", of.input);
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 }  // namespace
@@ -112,6 +151,107 @@ std::optional<Table> ensemble_table(const CaseAssessment& assessment) {
       table.rows.push_back(line_of(outcome, measured_pairs(outcome.row, evidence)));
   }
   if (table.rows.empty()) return std::nullopt;
+  return table;
+}
+
+std::string remedy_text(const GateOutcome& outcome) {
+  if (outcome.verdict != Verdict::inconclusive || !outcome.judgement) return "";
+  const ThreeWayOutcome& judged = *outcome.judgement;
+  std::vector<std::string> ways;
+  if (const auto repeats = longer_window(judged); repeats && is_cost(outcome.row.metric))
+    return fmt::format("{:.3g} times as many timings", repeats->factor);
+  if (const auto window = longer_window(judged))
+    ways.push_back(fmt::format("a window {:.3g} times as long, at {:.3g} times the cost",
+                               window->factor, window->cost_ratio));
+  if (const auto step = finer_step(judged, 1))
+    ways.push_back(fmt::format("steps {:.3g} times as fine, at {:.3g} times the cost (first order)",
+                               step->factor, step->cost_ratio));
+  if (const std::string missing = missing_for_validation(judged.contributions); !missing.empty())
+    ways.push_back(missing);
+  if (ways.empty())
+    return fmt::format("no single finer or longer run is enough; the largest part is the {}",
+                       dominant_contribution(judged.contributions));
+  return fmt::format("{}", fmt::join(ways, "; or "));
+}
+
+std::string uncertainties_text(const ThreeWayOutcome& judged, const std::string& unit) {
+  const UncertaintyContributions& of = judged.contributions;
+  return fmt::format("u_num {}, u_input {}, u_reference {}",
+                     half_width_text(of.discretisation, unit), half_width_text(of.input, unit),
+                     half_width_text(of.reference, unit));
+}
+
+std::optional<Table> uncertainty_table(const CaseAssessment& assessment) {
+  Table table{
+      case_id(assessment.definition.name) + "-uncertainties",
+      "Uncertainties of the gate rows",
+      "Half widths of 95 % intervals after ASME V&V 20. u_num: discretisation of the candidate; "
+      "u_input: inputs taken from the experiment; u_reference: the reference; time series: finite "
+      "length of the series and scatter of repeats. The interval of the result combines those "
+      "that are known: the root of the sum of their squares.",
+      {"row", "kind", "result", "u_num", "u_input", "u_reference", "time series", "basis of u_num",
+       "basis of u_input", "basis of u_reference"},
+      {}};
+  for (const GateOutcome& outcome : assessment.gate) {
+    if (!outcome.judgement) continue;
+    const std::string& unit = outcome.row.unit;
+    const UncertaintyContributions& of = outcome.judgement->contributions;
+    table.rows.push_back(
+        {row_name(outcome.row), kind_name(outcome.row.kind),
+         with_interval({outcome.value.value, outcome.judgement->uncertainty}, unit),
+         half_width_text(of.discretisation, unit), half_width_text(of.input, unit),
+         half_width_text(of.reference, unit), half_width_text(of.time_series, unit),
+         of.discretisation.basis, of.input.basis, of.reference.basis});
+  }
+  if (table.rows.empty()) return {};
+  return table;
+}
+
+std::optional<Table> refinement_table(const CaseAssessment& assessment) {
+  Table table{
+      case_id(assessment.definition.name) + "-refinement",
+      "Numerical uncertainty",
+      "Metrics over runs that differ in one number only, coarse to fine. Behaviour, order, "
+      "extrapolated value and 95 % uncertainty after Celik et al. 2008 and Eca & Hoekstra 2014. "
+      "Two values have no order: the error is estimated from their difference as if it fell with "
+      "the first power of the step, and the uncertainty is three times that estimate, but at least "
+      "three times the difference.",
+      {"path", "row", "runs", "values", "behaviour", "order", "extrapolated", "uncertainty"},
+      {}};
+  CaseEvidence known(assessment.definition, assessment.runs, &assessment.fitted);
+  for (const GateOutcome& outcome : assessment.gate) {
+    if (!std::isfinite(outcome.value.value) || is_cost(outcome.row.metric) ||
+        is_p_value(outcome.row.metric))
+      continue;  // the cost rests on all runs of a path together, a p-value has no discretisation
+    CaseEvidence& evidence = known.over_time_of(outcome.row);
+    const GateEvidence gate = evidence.gate_evidence();
+    const MeasureRow measure = [&](const GateRow& row) { return measured(row, gate); };
+    for (const Role role : {Role::candidate, Role::reference})
+      add_paths(refined_metrics(assessment.definition, assessment.runs, outcome.row, role,
+                                {measure, evidence.measure_with_series()})
+                    .paths,
+                outcome.row, table);
+  }
+  if (table.rows.empty()) return {};
+  return table;
+}
+
+std::optional<Table> remedy_table(const CaseAssessment& assessment) {
+  Table table{
+      case_id(assessment.definition.name) + "-remedies",
+      "What would make inconclusive rows conclusive",
+      "Half widths of 95 % intervals. The estimate assumes that the value itself stays the same; a "
+      "finer or longer run also moves the value, so plan for at least this effort.",
+      {"row", "result", "uncertainty from", "conclusive below", "what would reach it"},
+      {}};
+  for (const GateOutcome& outcome : assessment.gate) {
+    if (outcome.verdict != Verdict::inconclusive || !outcome.judgement) continue;
+    const ThreeWayOutcome& judged = *outcome.judgement;
+    table.rows.push_back(
+        {row_name(outcome.row), outcome.message, contributions_text(judged, outcome.row.unit),
+         "± " + in_unit(judged.conclusive_uncertainty, outcome.row.unit), remedy_text(outcome)});
+  }
+  if (table.rows.empty()) return {};
   return table;
 }
 

@@ -33,6 +33,8 @@ void keep_still(Scene& scene) {
 
 using Change = void (*)(Scene&);
 const std::map<std::string, Change> changes{
+    {"coarse",
+     [](Scene& scene) { scene.particle_spacing = scene.surface_particle_spacing = 0.04; }},
     {"two_spacings",
      [](Scene& scene) { scene.surface_particle_spacing = 0.5 * scene.particle_spacing; }},
     {"still", keep_still},

@@ -161,6 +161,7 @@ Imbalance imbalance(const std::string& scheme, double spacing) {
 // Measured at 20 and 10 mm: recommended 5.2e-4 and 8.0e-4 along x, 2.0e-3 and 2.1e-3 along z; both
 // of zhao2021, whose start from the lattice rings between the samples, 1.0e-3 and 1.2e-3 along x,
 // 2.0e-3 and 3.3e-3 along z. Forces of the last step's middle were 1.1 and 1.4 % off along x.
+// The three schemes of 3500 particles over a second take eleven seconds.
 TEST(WallForces, AreWhatTheLiquidsMomentumLacks) {
   for (const double spacing : {0.02, 0.01}) {
     const Imbalance recommended = imbalance("recommended", spacing);

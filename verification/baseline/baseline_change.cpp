@@ -1,5 +1,7 @@
 #include "verification/baseline/baseline_change.hpp"
 
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "verification/files/content_hash.hpp"
@@ -33,12 +35,13 @@ Json json_of(const BaselineValue& value) {
              {"half_width_95", value.half_width},
              {"lower", json_of(value.lower)},
              {"upper", json_of(value.upper)}};
+  if (value.uncertainty)
+    entry["uncertainty_95"] =
+        std::isfinite(*value.uncertainty) ? Json(*value.uncertainty) : Json(nullptr);
   if (const auto& terms = value.terms)
-    entry["terms"] = {{"kind", terms->kind},
-                      {"window", terms->window},
-                      {"inputs", terms->inputs},
-                      {"setup", terms->setup},
-                      {"evidence", terms->evidence}};
+    entry["terms"] = {{"kind", terms->kind},         {"window", terms->window},
+                      {"inputs", terms->inputs},     {"setup", terms->setup},
+                      {"evidence", terms->evidence}, {"measured_with", terms->measured_with}};
   return entry;
 }
 
@@ -47,9 +50,12 @@ BaselineValue value_from(const Json& value) {
                      number_from(value.at("lower")), number_from(value.at("upper"))};
   if (value.contains("terms")) {
     const Json& terms = value.at("terms");
-    read.terms = {terms.at("kind"), terms.at("window"), terms.at("inputs"), terms.at("setup"),
-                  terms.value("evidence", "")};
+    read.terms = {terms.at("kind"),  terms.at("window"),          terms.at("inputs"),
+                  terms.at("setup"), terms.value("evidence", ""), terms.value("measured_with", "")};
   }
+  if (value.contains("uncertainty_95"))
+    read.uncertainty =
+        number_from(value.at("uncertainty_95")).value_or(std::numeric_limits<double>::infinity());
   return read;
 }
 
@@ -86,7 +92,7 @@ Proposal read_proposal(const fs::path& file) {
     const Json content = parsed_json<Json>(read_bytes(file));
     return {content.at("campaign"), changes_from(content.at("changes"))};
   } catch (const Json::exception& error) {
-    throw LedgerError(file.string() + ": not a proposal: " + error.what());
+    throw LedgerError(file.string() + ": not a proposal: " + words_of(error));
   } catch (const fs::filesystem_error& error) {
     throw LedgerError(error.what());
   }

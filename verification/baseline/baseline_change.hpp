@@ -1,9 +1,9 @@
 // The baseline of a campaign, changes of it, and a proposal of such changes. A change reads in JSON
-//   {"row", "old", "new"}, with old and new {"value", "half_width_95", "lower", "upper", "terms"}
-//   or null, and terms {"kind", "window", "inputs", "setup",
-// "evidence"},
-// in ledgers (baseline_ledger.hpp) and proposals alike. Older ledgers record no terms. A proposal
-// lies beside the results until somebody approves it.
+//   {"row", "old", "new"}, with old and new {"value", "half_width_95", "lower", "upper",
+//   "uncertainty_95", "terms"} or null, and terms {"kind", "window", "inputs", "setup", "evidence",
+//   "measured_with"},
+// in ledgers (baseline_ledger.hpp) and proposals alike. Older ledgers record not all of it. A
+// proposal lies beside the results until somebody approves it.
 #pragma once
 
 #include <filesystem>
@@ -21,12 +21,16 @@ struct RowTerms {
   std::string kind;    // "validation" or "regression"
   std::string window;  // "1 .. 8 s"; empty of a problem's row, as the two below
   std::string inputs;  // "amplitude +- 0.001 m, period +- 0.01 s": those declared uncertain
-  // Two hashes: of the case's physics and the settings of the row's runs; of all else that the case
-  // declares of the row's verdict. Older ledgers hold the first alone.
+  // Hashes: of the case's physics and the settings of the row's runs; of all else that the case
+  // declares of the row's verdict; of the settings of the runs that it was measured with, where it
+  // was. Older ledgers lack the later ones.
   std::string setup;
   // What else the verdict rests on: "2 natural modes; refinement spacing: a, b; ...". Empty of a
   // problem's row, and where it is not recorded.
   std::string evidence = {};
+  // "m20, m40, s (3), theory": the runs that the verdict and its interval were measured with, those
+  // of an ensemble counted. Empty where it was not measured, and where it is not recorded.
+  std::string measured_with = {};
 
   bool operator==(const RowTerms&) const = default;
 };
@@ -37,6 +41,9 @@ struct BaselineValue {
   double half_width;                   // of the 95 % interval, zero if unknown
   std::optional<double> lower, upper;  // nullopt for a row that must improve on another run
   std::optional<RowTerms> terms = {};  // nullopt: not recorded
+  // The half width that the verdict rests on, infinite where a part of it is unknown; nullopt of a
+  // row without a bound or a value, of a cost and of a problem, and where it is not recorded.
+  std::optional<double> uncertainty = {};
 
   bool operator==(const BaselineValue&) const = default;
 };

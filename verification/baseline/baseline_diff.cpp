@@ -8,6 +8,7 @@
 #include <boost/algorithm/string/split.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
@@ -51,6 +52,16 @@ bool has_moved(const BaselineValue& before, const BaselineValue& after) {
          uncertainties_between(before, after) > 1;
 }
 
+// An interval that differs by less cannot decide between two verdicts, or is as good as the other.
+constexpr double unseen_interval = 0.01, other_interval = 2;
+
+bool has_other_interval(const BaselineValue& before, const BaselineValue& after) {
+  if (!before.uncertainty || !after.uncertainty) return false;
+  const auto [small, large] = std::minmax(*before.uncertainty, *after.uncertainty);
+  return small < large && large > other_interval * small &&
+         large - small > unseen_interval * std::max(scale_of(before), scale_of(after));
+}
+
 std::string signed_in_unit(double value, const std::string& unit, int digits = 3) {
   return unit == "1" ? fmt::format("{:+.{}g} %", 100 * value, digits)
                      : fmt::format("{:+.{}g}{}{}", value, digits, unit.empty() ? "" : " ", unit);
@@ -83,14 +94,6 @@ bool is_loosened(const BaselineValue& before, const BaselineValue& after) {
          is_below(before.upper.value_or(unbounded), after.upper.value_or(unbounded));
 }
 
-// The same on every machine.
-fs::path from_directory_of(const fs::path& case_file, const fs::path& file) {
-  const fs::path here = fs::current_path();
-  return (here / file)
-      .lexically_normal()
-      .lexically_relative((here / case_file).lexically_normal().parent_path());
-}
-
 // What the settings of a run do not say of it (hashed_settings()).
 std::string evidence_of(const RunDefinition& run, const fs::path& case_file) {
   return std::visit(
@@ -103,9 +106,12 @@ std::string evidence_of(const RunDefinition& run, const fs::path& case_file) {
                       : "");
         else if constexpr (std::is_same_v<Run, ExternalRun>) {
           std::string inputs;
-          for (const fs::path& one : solver.inputs)
-            inputs += " " + from_directory_of(case_file, one).generic_string();
-          return inputs.empty() ? "" : fmt::format("; inputs of {}:{}", run.name, inputs);
+          for (const fs::path& one : solver.inputs) inputs += " " + from_case_file(case_file, one);
+          if (!inputs.empty()) inputs = fmt::format("; inputs of {}:{}", run.name, inputs);
+          return solver.directory.empty()
+                     ? inputs
+                     : fmt::format("{}; {} starts in {}", inputs, run.name,
+                                   from_case_file(case_file, solver.directory));
         } else if constexpr (requires { solver.valid_elevation_over_depth; })
           return fmt::format("; {} up to {:.6g} depths", run.name,
                              solver.valid_elevation_over_depth);
@@ -168,16 +174,33 @@ std::string hash_of_the_rest(const CaseDefinition& definition, const GateRow& ro
   return content_hash(rest);
 }
 
-RowTerms terms_of(const CaseDefinition& definition, const GateRow& row) {
+// Members of one ensemble as "NAME (count)".
+std::string names_of(const CaseDefinition& definition, const std::set<std::string>& runs) {
+  std::map<std::string, int> members;
+  for (const RunDefinition& run : definition.runs)
+    if (runs.contains(run.name)) ++members[run.ensemble.empty() ? run.name : run.ensemble];
+  std::vector<std::string> names;
+  for (const auto& [name, count] : members)
+    names.push_back(count == 1 ? name : fmt::format("{} ({})", name, count));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+RowTerms terms_of(const CaseDefinition& definition, const GateOutcome& outcome) {
+  const GateRow& row = outcome.row;
   const auto [begin, end] = judged_time(row, definition);
   std::string inputs;
   for (const InputUncertainty& one : definition.inputs)
     inputs += fmt::format("{}{} +- {:.6g} {}{}", inputs.empty() ? "" : ", ", input_name(one.input),
                           one.half_width, input_unit(one.input, definition.motion),
                           one.coarse_run.empty() ? "" : " by " + one.coarse_run);
-  return {kind_name(row.kind), fmt::format("{:.6g} .. {:.6g} s", begin, end), inputs,
-          setup_hash(definition, runs_of(row)) + "-" + hash_of_the_rest(definition, row),
-          evidence_of(definition, row)};
+  const std::string measured_with = names_of(definition, outcome.measured_with);
+  return {kind_name(row.kind),
+          fmt::format("{:.6g} .. {:.6g} s", begin, end),
+          inputs,
+          setup_hash(definition, runs_of(row)) + "-" + hash_of_the_rest(definition, row) +
+              (measured_with.empty() ? "" : "-" + setup_hash(definition, outcome.measured_with)),
+          evidence_of(definition, row),
+          measured_with};
 }
 
 // A row with a limit, a range or neither. A cost is measured on one machine and says nothing about
@@ -193,6 +216,12 @@ BaselineValue baseline_value(const GateOutcome& outcome) {
     const std::optional<double>& limit = outcome.row.limit;
     std::tie(value.lower, value.upper) =
         limit ? std::pair(-*limit, *limit) : outcome.row.between.value();
+  }
+  if (value.value && outcome.judgement) {
+    const bool is_whole = outcome.row.kind == RowKind::regression ||
+                          missing_for_validation(outcome.judgement->contributions).empty();
+    const double half_width = outcome.judgement->uncertainty;
+    value.uncertainty = is_whole && std::isfinite(half_width) ? half_width : unbounded;
   }
   return value;
 }
@@ -222,7 +251,7 @@ std::vector<PresentRow> present_rows(const JudgedCampaign& campaign) {
     for (const GateOutcome& outcome : one.gate) {
       rows.push_back({row_name(one.definition.name, outcome.row), outcome.row.unit, outcome.verdict,
                       baseline_value(outcome)});
-      rows.back().value.terms = terms_of(one.definition, outcome.row);
+      rows.back().value.terms = terms_of(one.definition, outcome);
     }
   for (const ProblemAssessment& one : campaign.problems)
     for (const ProblemGateOutcome& outcome : one.gate)
@@ -254,8 +283,11 @@ std::string terms_text(const RowTerms& before, const RowTerms& after, bool lacks
   add("window", &RowTerms::window);
   add("inputs", &RowTerms::inputs);
   if (!before.evidence.empty()) add("rests on", &RowTerms::evidence);
-  if (!lacks_record && !after.setup.starts_with(before.setup))
-    text += ", the case or the settings of the row's runs are others";
+  const bool are_measured = !before.measured_with.empty() && !after.measured_with.empty();
+  if (!lacks_record && are_measured) add("measured with", &RowTerms::measured_with);
+  const bool is_alike = after.setup.starts_with(before.setup) ||
+                        (!are_measured && before.setup.starts_with(after.setup));
+  if (!lacks_record && !is_alike) text += ", the case or the settings of the row's runs are others";
   return text;
 }
 
@@ -297,6 +329,15 @@ void name_renamed_rows(std::vector<RowMovement>& movements) {
   }
 }
 
+std::string width_text(const RowMovement& movement) {
+  const BaselineValue &before = *movement.before, &after = *movement.after;
+  if (!has_other_interval(before, after)) return "";
+  const auto shown = [&](double half_width) {
+    return std::isfinite(half_width) ? in_unit(half_width, movement.unit) : "unknown";
+  };
+  return fmt::format(", U: {} -> {}", shown(*before.uncertainty), shown(*after.uncertainty));
+}
+
 std::string tolerance_text(const RowMovement& movement) {
   const BaselineValue &before = *movement.before, &after = *movement.after;
   const bool tightened = is_loosened(after, before);
@@ -314,7 +355,8 @@ bool RowMovement::has_changed() const {
   if (!before || !after) return true;
   const bool has_value_alike = before->value.has_value() == after->value.has_value();
   return (!lacks_record() && !has_value_alike) || loosened || is_loosened(*after, *before) ||
-         has_moved(*before, *after) || has_other_terms(*this);
+         has_moved(*before, *after) || has_other_interval(*before, *after) ||
+         has_other_terms(*this);
 }
 
 bool RowMovement::loses_validation() const {
@@ -362,6 +404,7 @@ std::vector<BaselineChange> proposed_changes(const std::vector<RowMovement>& mov
     else if (!one.lacks_record() && one.before->terms != one.after->terms) {
       changes.push_back({one.row, one.before, one.before});
       changes.back().after->terms = one.after->terms;
+      if (!one.before->uncertainty) changes.back().after->uncertainty = one.after->uncertainty;
     }
   }
   return changes;
@@ -388,7 +431,7 @@ std::string movement_text(const RowMovement& movement) {
     text = "no value any more";
   else if (after->value)
     text = "first value: " + value;
-  return text + tolerance_text(movement) +
+  return text + tolerance_text(movement) + width_text(movement) +
          (before->terms ? terms_text(*before->terms, *after->terms, movement.lacks_record()) : "");
 }
 

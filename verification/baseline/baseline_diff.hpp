@@ -1,8 +1,10 @@
 // The changes of a campaign's gate rows since their baseline: by how many uncertainties each metric
-// has moved, which rows were lost, are new or have another name, and which tolerances and terms
-// (baseline_change.hpp) are others. A metric has moved where its change exceeds both intervals
-// together and the round-off that differs between compilers and processors. Timings belong to one
-// machine: a row on a cost has its tolerance and its terms in the baseline, and no figure.
+// has moved, which rows were lost, are new or have another name, and which tolerances, intervals
+// and terms (baseline_change.hpp) are others. An interval is another where it is more than twice as
+// wide or less than half as wide, and the change is more than a hundredth of the larger of metric
+// and tolerance. A metric has moved where its change exceeds both intervals together and the
+// round-off that differs between compilers and processors. Timings belong to one machine: a row on
+// a cost has its tolerance and its terms in the baseline, and no figure.
 #pragma once
 
 #include <optional>
@@ -31,7 +33,7 @@ struct RowMovement {
   bool lost() const { return !after; }
   // Whether the row would have a value if the user had its record.
   bool lacks_record() const { return verdict == Verdict::not_supplied; }
-  // Whether the row appeared, was lost, moved, or has another tolerance or other terms.
+  // Whether the row appeared, was lost, moved, or has another tolerance, interval or other terms.
   bool has_changed() const;
   // Whether the baseline's row was one of validation (or of a kind that was not recorded) and the
   // row is lost or a regression now, or rests on a record that is not supplied and did not before.
@@ -61,7 +63,8 @@ std::vector<BaselineChange> proposed_changes(const std::vector<RowMovement>& mov
 
 // "+1.2 % -> +1.9 % (2.3 uncertainties)", "new: 1.2 %", "no value any more", "not supplied", "no
 // row of this form any more", followed by a changed tolerance, "tolerance loosened: -1.5 % .. 1.5 %
-// -> -2 % .. 2 %", and by changed terms, "kind: validation -> regression".
+// -> -2 % .. 2 %", a changed interval, "U: 49 % -> 0.01 %", and by changed terms, "kind: validation
+// -> regression".
 std::string movement_text(const RowMovement& movement);
 
 // "Rows since the baseline: 2 lost (1 of validation), 1 new, 3 changed." Returns "" where there is

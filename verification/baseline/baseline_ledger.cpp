@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -19,7 +20,8 @@ using Json = nlohmann::ordered_json;
 std::string text_of(const fs::path& file) {
   if (!fs::exists(file)) return "";
   try {
-    return read_bytes(file);
+    // As version control of another system checks it out.
+    return boost::replace_all_copy(read_bytes(file), "\r\n", "\n");
   } catch (const fs::filesystem_error& error) {
     throw LedgerError(error.what());
   }
@@ -38,6 +40,8 @@ struct Head {
   bool operator==(const Head&) const = default;
 };
 
+constexpr const char* lock_suffix = ".lock";
+
 fs::path beside(const fs::path& ledger, const char* suffix) {
   return fs::path(ledger.native() + suffix);
 }
@@ -47,7 +51,8 @@ Head recorded_head(const fs::path& file) {
     const Json content = parsed_json<Json>(read_bytes(file));
     return {content.at("lines"), content.at("hash")};
   } catch (const Json::exception& error) {
-    throw LedgerError(fmt::format("{}: not the head of a ledger: {}", file.string(), error.what()));
+    throw LedgerError(
+        fmt::format("{}: not the head of a ledger: {}", file.string(), words_of(error)));
   } catch (const fs::filesystem_error& error) {
     throw LedgerError(error.what());
   }
@@ -77,15 +82,7 @@ void write_ledger(const fs::path& file, const std::string& text, std::size_t lin
   replace_file(head_of(file), head.dump() + "\n", Durability::power_loss);
 }
 
-}  // namespace
-
-fs::path head_of(const fs::path& ledger) { return beside(ledger, ".head"); }
-
-bool holds_approvals(const fs::path& file) {
-  return fs::is_regular_file(file) && !fs::is_empty(file);
-}
-
-std::vector<Approval> read_ledger(const fs::path& file) {
+std::vector<Approval> approvals_in(const fs::path& file) {
   const std::string text = text_of(file);
   if (!text.empty() && text.back() != '\n')
     throw LedgerError(file.string() + ": the last line is cut off; expected a whole line");
@@ -100,11 +97,28 @@ std::vector<Approval> read_ledger(const fs::path& file) {
         throw LedgerError(place + ": the lines before it have changed since it was added");
       approvals.push_back(approval_from(content));
     } catch (const Json::exception& error) {
-      throw LedgerError(fmt::format("{}: not an approval: {}", place, error.what()));
+      throw LedgerError(fmt::format("{}: not an approval: {}", place, words_of(error)));
     }
   }
   require_recorded(file, {approvals.size(), content_hash(text)});
   return approvals;
+}
+
+}  // namespace
+
+fs::path head_of(const fs::path& ledger) { return beside(ledger, ".head"); }
+
+bool holds_approvals(const fs::path& file) {
+  return fs::is_regular_file(file) && !fs::is_empty(file);
+}
+
+std::vector<Approval> read_ledger(const fs::path& file) try {
+  return approvals_in(file);
+} catch (const LedgerError&) {
+  // An approval may write it at this moment.
+  if (!fs::exists(beside(file, lock_suffix))) throw;
+  const FileLock alone(beside(file, lock_suffix));
+  return approvals_in(file);
 }
 
 Baseline baseline_of(const std::vector<Approval>& approvals) {
@@ -128,8 +142,8 @@ Baseline baseline_of(const std::vector<Approval>& approvals) {
 
 void append_approval(const Approval& approval, const fs::path& file) {
   try {
-    const FileLock alone(beside(file, ".lock"));
-    std::vector<Approval> approvals = read_ledger(file);
+    const FileLock alone(beside(file, lock_suffix));
+    std::vector<Approval> approvals = approvals_in(file);
     const std::string before = text_of(file);
     approvals.push_back(approval);
     baseline_of(approvals);
@@ -142,6 +156,8 @@ void append_approval(const Approval& approval, const fs::path& file) {
     write_ledger(file, before + line.dump() + "\n", approvals.size());
   } catch (const fs::filesystem_error& error) {
     throw LedgerError(error.what());
+  } catch (const Json::exception&) {  // written as JSON
+    throw LedgerError("--who and --reason: expected texts in UTF-8");
   }
 }
 

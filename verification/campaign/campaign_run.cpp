@@ -12,12 +12,10 @@
 
 #include "verification/campaign/campaign_plan.hpp"
 #include "verification/campaign/job_failure.hpp"
-#include "verification/campaign/problem_run.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/display/progress_display.hpp"
 #include "verification/engine/launcher.hpp"
 #include "verification/engine/slurm_engine.hpp"
-#include "verification/files/file_lock.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
@@ -184,28 +182,33 @@ std::vector<JobState> run_jobs(const std::vector<Pending>& pending,
   return states;
 }
 
-void wait_for_other_starts(const CampaignSettings& settings, const std::atomic<bool>& stop,
-                           std::optional<FileLock>& lock) {
-  const auto end_where_stopped = [&] {
+}  // namespace
+
+std::unique_ptr<FileLock> lock_output(const std::filesystem::path& output,
+                                      const std::atomic<bool>& stop) {
+  const std::filesystem::path file = output / "jobs/lock";
+  require_own(file);
+  return std::make_unique<FileLock>(file, [&, told = false]() mutable {
     if (stop) throw InterruptedError("interrupted: nothing was started");
-  };
-  require_own(settings.output / "jobs/lock");
-  lock.emplace(settings.output / "jobs/lock", [&, told = false]() mutable {
-    end_where_stopped();
-    if (std::exchange(told, true)) return;
-    std::cerr << "another start works in " << settings.output.string() << "; waiting for it\n";
+    if (!std::exchange(told, true))
+      std::cerr << "another start works in " << output.string() << "; waiting for it\n";
   });
-  wait_for_earlier_arrays(settings.output / "jobs", stop);
-  end_where_stopped();
 }
 
-}  // namespace
+std::unique_ptr<FileLock> free_output(const std::filesystem::path& output) {
+  struct InUse {};
+  try {
+    return std::make_unique<FileLock>(output / "jobs/lock", [] { throw InUse(); });
+  } catch (const InUse&) {
+    return nullptr;
+  }
+}
 
 CampaignRuns run_campaign_jobs(const std::vector<CaseDefinition>& cases,
                                const std::vector<ProblemDefinition>& problems,
                                const CampaignSettings& settings, const std::atomic<bool>& stop) {
-  std::optional<FileLock> lock;  // not needed where nothing is computed
-  if (settings.solve) wait_for_other_starts(settings, stop, lock);
+  if (settings.solve) wait_for_earlier_arrays(settings.output / "jobs", stop);
+  if (stop) throw InterruptedError("interrupted: nothing was started");
   CampaignRuns outcome{std::vector<CaseRuns>(cases.size()), {}};
   std::map<const CaseDefinition*, CaseRuns*> runs_of;
   for (std::size_t i = 0; i < cases.size(); ++i) runs_of[&cases[i]] = &outcome.cases[i];

@@ -5,7 +5,7 @@
 
 #include "verification/campaign/run_selection.hpp"
 #include "verification/case/campaign_definition.hpp"
-#include "verification/engine/launch_settings.hpp"
+#include "verification/engine/job.hpp"
 #include "verification/results/result_store.hpp"
 
 namespace slosh {

@@ -10,6 +10,7 @@
 #include "verification/assessment/work_points.hpp"
 #include "verification/case/metric_table.hpp"
 #include "verification/case/solver_kinds.hpp"
+#include "verification/evidence/input_uncertainty.hpp"
 #include "verification/evidence/repeat_spread.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/files/shell_word.hpp"
@@ -57,11 +58,28 @@ const std::string& ensemble_name(const RunDefinition& run) {
   return run.ensemble.empty() ? run.name : run.ensemble;
 }
 
+// Whether it may tell what the inputs do to the row. Which theory is in its range is not yet known.
+bool predicts_inputs_of(const CaseDefinition& definition, const GateRow& row,
+                        const RunDefinition& run) {
+  return rests_on_input_bounds(definition, row) &&
+         std::any_of(definition.inputs.begin(), definition.inputs.end(),
+                     [&](const InputUncertainty& one) {
+                       return one.coarse_run == run.name || may_predict(run, one.input);
+                     });
+}
+
 // Returns whether the row's value, bounds or uncertainty (row_uncertainty.hpp) depend on the run.
 bool rests_on(const CaseDefinition& definition, const GateRow& row, const RunDefinition& run) {
   if (run.at_input) return rests_on_input_bounds(definition, row);
   const std::string& name = ensemble_name(run);
-  if (row.candidate == name || row.reference == name || row.improves_on == name) return true;
+  if (predicts_inputs_of(definition, row, run)) return true;
+  if (row.candidate == name || row.reference == name) return true;
+  if (row.improves_on) {
+    GateRow other = row;
+    other.candidate = *row.improves_on;
+    other.improves_on.reset();
+    if (rests_on(definition, other, run)) return true;
+  }
   if (is_cost(row.metric))
     return work_family(run) == work_family(run_named(definition, row.candidate));
   if (are_repeats(definition, run, row.candidate)) return true;

@@ -1,7 +1,8 @@
 // The selection of a campaign's runs: all, those of the quick form, or those that the user names by
 // patterns and tags. The runs that a selected gate row needs are selected too, so that its verdict
 // is that of the whole campaign: the reference, the run that the row improves on, the runs from
-// which its uncertainty comes (refinements, repeats, records), and the family whose cost it bounds.
+// which its uncertainty comes (refinements, repeats, records, and theory and coarse runs for its
+// inputs), and the family whose cost it bounds.
 // Patterns are those of fnmatch(3), in which a '*' ends at a '/': "CASE" matches whole cases and
 // problems, "CASE/RUN" single runs.
 #pragma once

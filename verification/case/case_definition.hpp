@@ -380,7 +380,7 @@ struct RunDefinition {
   // changed (changed_input.hpp).
   std::optional<InputEnd> at_input = {};
   // A member of an ensemble with vary_inputs solves the case with these inputs changed, each drawn
-  // from its interval (drawn_inputs.hpp).
+  // from its interval (ensemble.hpp).
   bool varies_inputs = false;
   std::vector<InputChange> drawn_inputs = {};
 };

@@ -1,6 +1,7 @@
 // The time over which a gate row is judged.
 #pragma once
 
+#include <tuple>
 #include <utility>
 
 #include "verification/case/case_definition.hpp"
@@ -15,6 +16,12 @@ inline std::pair<double, double> judged_time(const GateRow& row, const CaseDefin
   if (metric_entry(row.metric).measured_on == MeasuredOn::own_series)
     return {0, definition.duration};
   return {definition.window_begin, definition.window_end};
+}
+
+// The case with that time as the comparison's window.
+inline CaseDefinition judged_over(const GateRow& row, CaseDefinition definition) {
+  std::tie(definition.window_begin, definition.window_end) = judged_time(row, definition);
+  return definition;
 }
 
 }  // namespace slosh

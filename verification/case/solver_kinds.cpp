@@ -261,9 +261,7 @@ struct Row<ExternalRun> : CommonRow {
   static std::string text(const ExternalRun& external) { return named(external, "`"); }
   static std::string caption(const ExternalRun& external) { return named(external, ""); }
   static json hashed(const ExternalRun& external) {
-    json settings = {{"external",
-                      {external.command, external.directory.filename().string(),
-                       hashed_series(external.series)}}};
+    json settings = {{"external", {external.command, hashed_series(external.series)}}};
     if (external.particle_spacing) settings["particle_spacing"] = *external.particle_spacing;
     if (!external.facts.empty()) settings["facts"] = external.facts.string();
     if (!external.version_command.empty()) settings["version"] = external.version_command;

@@ -4,7 +4,6 @@
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/input/case_file_error.hpp"
-#include "verification/input/definition_file.hpp"
 #include "verification/input/input_files.hpp"
 #include "verification/input/toml_reader.hpp"
 

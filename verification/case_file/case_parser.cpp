@@ -7,7 +7,7 @@
 #include <set>
 
 #include "verification/case/changed_input.hpp"
-#include "verification/case/inputs/drawn_inputs.hpp"
+#include "verification/case/ensemble.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case/usual_values.hpp"
@@ -15,7 +15,7 @@
 #include "verification/case_file/groups/run_group.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/case_file_error.hpp"
-#include "verification/input/definition_file.hpp"
+#include "verification/input/input_files.hpp"
 #include "verification/input/toml_reader.hpp"
 
 namespace slosh {

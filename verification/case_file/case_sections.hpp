@@ -152,7 +152,8 @@ ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definitio
 
 // Refuses the run, read from this table, where it and an earlier run of the definition would count
 // as one method although they are not: an external program's method must be no other solver's
-// family, and have one run for each spacing.
+// family, and have one run for each spacing. Its runs start programs of the same names and take
+// their series alike; their settings and directories may differ.
 void refuse_shared_method(const TomlTable& table, const RunDefinition& run,
                           const CaseDefinition& definition);
 

@@ -7,7 +7,6 @@
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/input/definition_file.hpp"
 #include "verification/input/input_files.hpp"
 #include "verification/input/units.hpp"
 
@@ -110,7 +109,8 @@ const FieldTable<ExternalRun> external_table{
      field("method", &ExternalRun::method, name(), beside("particle_spacing_m").when({}),
            "What the program solves the case with. Runs of one method differ in their spacing "
            "alone, as those of an SPH scheme do: they have an order, a cost of an error and a "
-           "curve in each figure. No run and no scheme of the case has this name."),
+           "curve in each figure. Their programs, and how their series are taken, are the same; "
+           "settings and directories may differ. No run and no scheme of the case has this name."),
      field("particle_spacing_m", &ExternalRun::particle_spacing,
            number("m").above(0).at_most(fill_depth).by(a_particle_spacing),
            beside("method").when({}),
@@ -248,23 +248,6 @@ ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definitio
                                .time_column = "t",
                                .time_unit = "s"});
   return external;
-}
-
-void refuse_shared_method(const TomlTable& table, const RunDefinition& run,
-                          const CaseDefinition& definition) {
-  const std::string method = method_of(run);
-  for (const RunDefinition& other : definition.runs) {
-    if (family(other) != family(run) || (method.empty() && method_of(other).empty())) continue;
-    if (method != method_of(other))
-      table.refuse(table.has("scheme") ? "scheme"
-                   : !method.empty()   ? "method"
-                                       : "name",
-                   fmt::format("a name that does not stand for the run {} too", other.name));
-    if (particle_spacing(other) == particle_spacing(run))
-      table.refuse("particle_spacing_m",
-                   fmt::format("a spacing that no other run of the method has; {} has this one",
-                               other.name));
-  }
 }
 
 }  // namespace slosh

@@ -160,37 +160,22 @@ void read_error(const TomlTable& row, const MetricEntry& metric, GateRow& gate_r
                                     [](double value) { return value > 0 && value < 1; }});
 }
 
-// Why a metric is not taken over a part of the run; "" where it is.
-std::string why_no_part(const MetricEntry& metric) {
-  if (metric.metric == Metric::initial_value) return "it is the value at the start";
-  if (is_of_impacts(metric.metric)) return "it is measured at the published times";
-  if (is_of_fields(metric.metric)) return "it is measured at the snapshot times";
-  return is_cost(metric.metric) ? "it is measured over whole runs" : "";
-}
-
 // The part of the run over which the row is judged.
 void read_part(const TomlTable& row, const MetricEntry& metric, const CaseDefinition& definition,
                GateRow& gate_row) {
   const char *begin = "part_begin_s", *end = "part_end_s";
   if (!row.has(begin) && !row.has(end)) return;
-  if (const std::string why = why_no_part(metric); !why.empty())
+  if (metric.metric == Metric::initial_value || is_of_impacts(metric.metric) ||
+      is_of_fields(metric.metric) || is_cost(metric.metric))
     row.refuse(row.has(begin) ? begin : end,
-               fmt::format("no such key: {} has no part of the run, as {}", metric.name, why));
-  const double duration = definition.duration;
-  const double from =
-      row.has(begin)
-          ? row.get(begin, Rule<double>{fmt::format("a number >= 0 and below the duration ({:g}), "
-                                                    "in s",
-                                                    duration),
-                                        [=](double time) { return time >= 0 && time < duration; }})
-          : 0;
-  const double to =
-      row.has(end)
-          ? row.get(end, Rule<double>{fmt::format("a number above part_begin_s ({:.6g}) and <= the "
-                                                  "duration ({:g}), in s",
-                                                  from, duration),
-                                      [=](double time) { return time > from && time <= duration; }})
-          : duration;
+               fmt::format("no such key: {} is measured at its own times", metric.name));
+  double from = 0, to = definition.duration;
+  if (row.has(begin))
+    from = row.get(begin, Rule<double>{fmt::format("a number >= 0 and below {:g}, in s", to),
+                                       [=](double time) { return time >= 0 && time < to; }});
+  if (row.has(end))
+    to = row.get(end, Rule<double>{fmt::format("a number above {:g} and <= {:g}, in s", from, to),
+                                   [=](double time) { return time > from && time <= to; }});
   gate_row.part = {from, to};
 }
 
@@ -272,6 +257,20 @@ void read_compared_series(const TomlTable& row, const MetricEntry& metric,
       read_unit(row, metric.name, metric_unit(metric.metric, unit_of(gate_row.quantity)));
 }
 
+// Of such a series the first value is 0 whatever the program prints.
+bool counts_from_its_first_value(const CaseDefinition& definition, const GateRow& row) {
+  const auto counts_so = [&](const auto& solver) {
+    if constexpr (requires { solver.series; })
+      return std::any_of(solver.series.begin(), solver.series.end(), [&](const SeriesSource& one) {
+        return one.quantity == row.quantity && one.first_is_zero;
+      });
+    return false;
+  };
+  return std::any_of(definition.runs.begin(), definition.runs.end(), [&](const auto& run) {
+    return run.name == row.candidate && std::visit(counts_so, run.solver);
+  });
+}
+
 // Which series a solver records beside the compared quantities, and in which unit, is known only
 // after the run. The gate reports a wrong name or unit then, and the row is not compared.
 void read_own_series(const TomlTable& row, const MetricEntry& metric,
@@ -287,6 +286,11 @@ void read_own_series(const TomlTable& row, const MetricEntry& metric,
     gate_row.unit = known ? read_unit(row, gate_row.quantity, unit_of(gate_row.quantity))
                           : row.get("unit", any_text());
   }
+  if (metric.metric == Metric::initial_value && counts_from_its_first_value(definition, gate_row))
+    row.refuse("metric",
+               fmt::format("another metric: {} of {} counts from its first value (datum = "
+                           "\"first\"), so that its initial_value is 0 whatever the program prints",
+                           gate_row.quantity, gate_row.candidate));
 }
 
 // Each metric of impacts needs what it compares with.

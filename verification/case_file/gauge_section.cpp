@@ -7,7 +7,7 @@
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/input/input_files.hpp"
-#include "verification/input/tables/peak_table.hpp"
+#include "verification/input/tables/time_table.hpp"
 
 namespace slosh {
 

@@ -6,7 +6,7 @@
 
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/groups/run_group.hpp"
-#include "verification/input/name_pattern.hpp"
+#include "verification/input/nearest_name.hpp"
 #include "verification/input/toml_reader.hpp"
 
 namespace slosh {
@@ -52,11 +52,17 @@ void add_swept_runs(const CampaignDefinition& campaign, const std::filesystem::p
 
 void require_swept_cases(const CampaignDefinition& campaign,
                          const std::vector<CaseDefinition>& cases) {
+  std::vector<std::string> names;
+  for (const CaseDefinition& one : cases) names.push_back(one.name);
+  const Rule<std::string> known{
+      one_of_text("a case of the campaign or a pattern of them", names),
+      [&](const std::string& pattern) {
+        return std::any_of(names.begin(), names.end(),
+                           [&](const std::string& name) { return matches_pattern(pattern, name); });
+      }};
   const TomlTable root(campaign.text, campaign.file);
   for (const TomlTable& sweep : root.tables("sweep"))
-    if (std::none_of(cases.begin(), cases.end(),
-                     [&](const CaseDefinition& one) { return is_over(sweep, one); }))
-      sweep.refuse("cases", "names or globs of the campaign's cases, of which these match none");
+    if (sweep.texts("cases", known).empty()) sweep.refuse("cases", known.expected);
 }
 
 }  // namespace slosh

@@ -28,8 +28,8 @@
 #include "verification/input/nearest_name.hpp"
 #include "verification/metrics/comparison.hpp"
 #include "verification/results/result_file.hpp"
+#include "verification/texts/assessment_text.hpp"
 #include "verification/texts/impact_text.hpp"
-#include "verification/texts/verdict_text.hpp"
 
 namespace slosh {
 namespace {

@@ -114,6 +114,7 @@ int converge(const ConvergeOptions& options, const CommandTree& tree) {
                                   .experiments = experiments,
                                   .at_once = options.at_once};
   const double finest = *std::min_element(study.spacings.begin(), study.spacings.end());
+  const auto lock = lock_output(output, tree.stop);
   ConvergenceStudy done{
       assess(made, run_campaign_jobs({made}, {}, settings, tree.stop).cases.front()),
       {study_run_name(study, finest), study.reference, quantity},

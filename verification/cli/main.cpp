@@ -12,14 +12,11 @@
 #include <filesystem>
 #include <iostream>
 
-#include "verification/campaign/campaign_run.hpp"
 #include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/foreign/legible_text.hpp"
-#include "verification/files/protected_inputs.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/gate/gate.hpp"
-#include "verification/input/case_file_error.hpp"
-#include "verification/runs/run_case.hpp"
 
 namespace {
 
@@ -49,12 +46,19 @@ void open_closed_streams() {
       ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
+void tell_of_set_aside() {
+  for (const std::string& one : slosh::told_of_set_aside())
+    std::cerr << "slosh: " << slosh::legible_message(one) << "\n";
+}
+
 // Returns the exit status of a command, once all that it has printed is written.
 int printed(int status) {
+  tell_of_set_aside();
   std::cout.flush();
   if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
   std::cerr << "slosh: " << slosh::not_printed << "\n";
-  return status == slosh::exit_pass ? static_cast<int>(slosh::exit_not_compared) : status;
+  const bool is_better = status == slosh::exit_pass || status == slosh::exit_inconclusive;
+  return is_better ? static_cast<int>(slosh::exit_not_compared) : status;
 }
 
 // A campaign that is interrupted ends its runs first.
@@ -106,27 +110,15 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto fail = [](const std::exception& error, int status) {
-    std::cerr << "slosh: " << slosh::legible_message(error.what()) << "\n";
-    return status;
-  };
   open_closed_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is a write error, like a full disk
   use_no_locale();
   bound_waiting_of_threads(argv);
   try {
     return printed(dispatch(argc, argv));
-  } catch (const slosh::CaseFileError& error) {
-    return fail(error, slosh::exit_usage);
-  } catch (const slosh::OutputError& error) {
-    return fail(error, slosh::exit_usage);
-  } catch (const slosh::InterruptedError& error) {
-    return fail(error, slosh::exit_interrupted);
-  } catch (const slosh::SolverError& error) {
-    return fail(error, slosh::exit_solver_failed);
   } catch (const std::exception& error) {
-    // A result or a report could not be written: nothing was compared. An interrupt also ends the
-    // plotter, and is then the cause.
-    return fail(error, stop_requested ? slosh::exit_interrupted : slosh::exit_not_compared);
+    tell_of_set_aside();
+    std::cerr << "slosh: " << slosh::legible_message(error.what()) << "\n";
+    return slosh::status_of(error, stop_requested);
   }
 }

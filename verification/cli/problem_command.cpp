@@ -78,7 +78,9 @@ int run_problem(const ProblemOptions& options, const Installation& installation)
   }
   const fs::path file = options.output.empty() ? fs::path(problem.name + ".json") : options.output;
   const OpenOutputs output(file, "problem");
-  write_problem_result(compute(), file);
+  const ProblemResult result = compute();
+  output.make_room();
+  write_problem_result(result, file);
   std::cout << "result: " << file.string() << "\n";
   return exit_pass;
 }

@@ -11,7 +11,7 @@
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/stored_run.hpp"
-#include "verification/display/run_display.hpp"
+#include "verification/display/progress_display.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/gate/gate.hpp"
@@ -19,7 +19,7 @@
 #include "verification/runs/expected_cost.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
-#include "verification/texts/theory_csv.hpp"
+#include "verification/texts/series_csv.hpp"
 
 namespace slosh {
 namespace {
@@ -81,6 +81,7 @@ int leave_references(const ReferenceOptions& options, const Installation& instal
   theories.result.provenance.merge(provenance("./slosh reference " +
                                               name_or_path(definition.file, installation.cases) +
                                               " --output " + options.output.filename().string()));
+  output.make_room();
   if (table)
     replace_file(options.output, theory_csv(definition, theories), Durability::process_crash);
   else

@@ -18,7 +18,7 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/installation.hpp"
 #include "verification/cli/stored_run.hpp"
-#include "verification/display/run_display.hpp"
+#include "verification/display/progress_display.hpp"
 #include "verification/engine/run_job.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
@@ -178,6 +178,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
                                  installation.cases, known_problems()),
                    experiments, definition);
   const RunDefinition& run = requested_run(definition, options.run);
+  const auto contents = files_read_by(run, definition);  // before the key: a change is seen
   const std::string key =
       run_key(definition, run, installation.builds, installation.openfoam_templates);
   const ResultStore store(whole(options.store));
@@ -193,20 +194,23 @@ int run_one(const RunOptions& options, const Installation& installation) {
     RunDisplay display(std::cerr, style_now_of(STDERR_FILENO), definition.name + "/" + run.name,
                        expected.wall_time);
     const Progress write = progress_writer(options.progress_file, definition.duration);
-    return execute(definition, run, settings, [&](double time, double steps) {
+    RunResult result = execute(definition, run, settings, [&](double time, double steps) {
       display.tell({time, definition.duration, steps});
       write(time, steps);
     });
+    require_unchanged(contents);
+    return result;
   };
   // For a run in the store the campaign judges whether it reaches the end of the comparison window.
   if (options.timing) {
     time_run(store, key, options.longest, compute);
+    if (fs::is_directory(settings.work_directory)) list_all_in(settings.work_directory);
     return exit_pass;
   }
   if (!options.store.empty()) {
     keep_run(store, key, [&] {
       RunResult result = compute();
-      learn_cost(result, definition, run, store);
+      record_cost(result, definition, run, store);
       return result;
     });
     return exit_pass;
@@ -215,6 +219,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
   const OpenOutputs output(file, "run");
   const bool is_attempt = is_as_a_campaign_computes(options) && options.time_limit == 0;
   const RunResult result = is_attempt ? attempted(run, usual, key, compute) : compute();
+  output.make_room();
   const int status = leave_result(result, file, settings, definition, run);
   if (is_as_a_campaign_computes(options)) keep_copy(usual, key, result);
   return status;

@@ -4,13 +4,15 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <boost/process.hpp>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <memory>
-#include <system_error>
 
 #include "reports/drawing/draw_figure.hpp"
 #include "reports/figures/case_figures.hpp"
@@ -29,8 +31,6 @@
 namespace slosh {
 namespace {
 
-namespace process = boost::process;
-
 std::string browser_name() {
   const char* named = std::getenv("BROWSER");
   const std::string list = named ? named : "";
@@ -42,16 +42,16 @@ std::string browser_name() {
 // xdg-open, without a shell. Waits for the program, as a browser in the terminal requires. Returns
 // why the file could not be shown, or an empty text.
 std::string open_browser(const std::filesystem::path& file) {
-  const std::string name = browser_name();
-  const boost::filesystem::path program =
-      name.find('/') == std::string::npos ? process::search_path(name) : name;
-  if (program.empty()) return "there is no program " + name + " (the variable BROWSER names one)";
-  std::error_code failure;
-  process::child child(program, file.string(), failure);
-  if (failure) return name + " did not start: " + failure.message();
-  child.wait(failure);
-  return child.exit_code() == 0 ? ""
-                                : name + " ended with status " + std::to_string(child.exit_code());
+  std::string name = browser_name(), page = file.string();
+  char* const arguments[] = {name.data(), page.data(), nullptr};
+  pid_t child;
+  const int failure = ::posix_spawnp(&child, name.c_str(), nullptr, nullptr, arguments, ::environ);
+  if (failure == ENOENT) return "there is no program " + name + " (the variable BROWSER names one)";
+  if (failure != 0) return name + " did not start: " + std::strerror(failure);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status == 0 ? "" : name + " ended with status " + std::to_string(WEXITSTATUS(status));
 }
 
 namespace fs = std::filesystem;

@@ -1,5 +1,5 @@
 // The subcommand store: prints the size of the shared results, and lists or removes those that
-// earlier builds left. Only a report that starts no solver and the estimates of costs still use the
+// earlier builds left. Only a report that starts no solver and the expected costs still use the
 // latter.
 
 #include <fmt/format.h>

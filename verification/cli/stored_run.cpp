@@ -4,6 +4,7 @@
 
 #include <iostream>
 #include <optional>
+#include <utility>
 
 #include "verification/files/foreign/legible_text.hpp"
 #include "verification/files/protected_inputs.hpp"
@@ -56,7 +57,10 @@ void if_free(const ResultStore& store, const std::string& key, const std::functi
 template <class Result, class Read, class Write>
 void keep(const ResultStore& store, const std::string& key, const char* extension, Read read,
           Write write, const std::function<Result()>& compute) {
-  const StoreLock lock(store, key);
+  const StoreLock lock(store, key, [told = false]() mutable {
+    if (!std::exchange(told, true))
+      std::cerr << "another start computes this result; waiting for it\n";
+  });
   const fs::path file = store.file(key, extension);
   if (!kept(store, key, extension, read)) try {
       write(compute(), file);

@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdlib>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "verification/display/time_left.hpp"
@@ -44,6 +49,55 @@ std::string without_middle(const std::string& name, std::size_t width) {
 }
 
 }  // namespace
+
+DisplayStyle style_of(int descriptor) {
+  constexpr int usual_columns = 80;  // where the terminal reports none
+  const auto variable = [](const char* name) {
+    const char* text = std::getenv(name);
+    return std::string_view(text ? text : "");
+  };
+  const bool live = isatty(descriptor) && variable("TERM") != "dumb";
+  winsize size{};
+  const bool has_size = ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return {.live = live,
+          .colour = live && variable("NO_COLOR").empty(),
+          .columns = has_size ? size.ws_col : usual_columns};
+}
+
+RunDisplay::RunDisplay(std::ostream& stream, const AskStyle& style, const std::string& name,
+                       double expected_time)
+    : display_(stream, style, 1) {
+  state_.job.name = name;
+  state_.job.expected_time = expected_time;
+  state_.phase = JobPhase::running;
+  if (style().live) thread_ = std::thread([this] { draw(); });
+}
+
+RunDisplay::~RunDisplay() {
+  {
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+  }
+  end_.notify_one();
+  if (thread_.joinable()) thread_.join();
+  display_.erase_live_lines();
+}
+
+void RunDisplay::tell(const RunProgress& progress) {
+  const std::lock_guard lock(mutex_);
+  state_.progress = progress;
+}
+
+void RunDisplay::draw() {
+  constexpr std::chrono::milliseconds interval{200};
+  const auto start = std::chrono::steady_clock::now();
+  std::unique_lock lock(mutex_);
+  while (!end_.wait_for(lock, interval, [this] { return ended_; })) {
+    const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - start;
+    state_.wall_time = gone.count();
+    display_.show({state_});
+  }
+}
 
 std::string running_line(const JobState& state, std::size_t name_width, std::size_t columns) {
   const std::string head = "running  ", space = "  ";

@@ -4,14 +4,39 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
 #include <ostream>
 #include <string>
+#include <thread>
 #include <vector>
 
-#include "verification/display/display_style.hpp"
 #include "verification/engine/job.hpp"
 
 namespace slosh {
+
+// What an output of the process (a terminal, a file) can show.
+
+struct DisplayStyle {
+  bool live;    // a terminal: lines may be drawn anew, and break at its width
+  bool colour;  // ANSI colours
+  int columns;  // of the terminal
+};
+
+// Returns the style of standard output or error (STDOUT_FILENO, STDERR_FILENO). It is live on a
+// terminal that is not "dumb", with colour unless NO_COLOR is set and not empty (no-color.org).
+DisplayStyle style_of(int descriptor);
+
+// Is called before each drawing, for a user may resize the terminal.
+using AskStyle = std::function<DisplayStyle()>;
+inline AskStyle style_now_of(int descriptor) {
+  return [descriptor] { return style_of(descriptor); };
+}
+
+// ANSI X3.64 (ECMA-48) sequences.
+inline constexpr const char *green = "\033[32m", *red = "\033[31m", *yellow = "\033[33m",
+                            *normal = "\033[0m";
 
 class ProgressDisplay {
  public:
@@ -52,5 +77,30 @@ class ProgressDisplay {
 // time left is always there: the least important parts are left out first, then the middle of a
 // long name. Names are padded to `name_width`.
 std::string running_line(const JobState& state, std::size_t name_width, std::size_t columns);
+
+// Shows the progress of a single run in this process, on a terminal alone.
+
+class RunDisplay {
+ public:
+  // `expected_time` [s] of wall time serves for a solver that does not report its progress.
+  RunDisplay(std::ostream& stream, const AskStyle& style, const std::string& name,
+             double expected_time);
+  ~RunDisplay();  // erases the line
+  RunDisplay(const RunDisplay&) = delete;
+  RunDisplay& operator=(const RunDisplay&) = delete;
+
+  // May be called from any thread.
+  void tell(const RunProgress& progress);
+
+ private:
+  void draw();  // until the end, a few times a second
+
+  ProgressDisplay display_;
+  JobState state_;
+  std::mutex mutex_;  // guards the state and ended_
+  std::condition_variable end_;
+  bool ended_ = false;
+  std::thread thread_;  // none outside a terminal
+};
 
 }  // namespace slosh

@@ -12,6 +12,10 @@
 #include "verification/files/foreign/json_text.hpp"
 
 namespace slosh {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, name, command, log_file, progress_file, time_limit, cores,
+                                   expected_time, expected_memory, alone)
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,34 +25,16 @@ using nlohmann::json;
 constexpr const char* list_name = "jobs.cbor";
 constexpr const char *started = ".started", *ended = ".ended.json";
 
-json entry_of(const Job& job) {
-  return {{"name", job.name},
-          {"command", job.command},
-          {"log_file", job.log_file.string()},
-          {"progress_file", job.progress_file.string()},
-          {"time_limit_s", job.time_limit},
-          {"cores", job.cores},
-          {"expected_time_s", job.expected_time},
-          {"expected_memory_byte", job.expected_memory},
-          {"alone", job.alone}};
-}
-
-Job job_of(const json& entry) {
-  return {.name = entry.at("name"),
-          .command = entry.at("command"),
-          .log_file = entry.at("log_file").get<std::string>(),
-          .progress_file = entry.at("progress_file").get<std::string>(),
-          .time_limit = entry.at("time_limit_s"),
-          .cores = entry.at("cores"),
-          .expected_time = entry.at("expected_time_s"),
-          .expected_memory = entry.at("expected_memory_byte"),
-          .alone = entry.at("alone")};
-}
-
-// Returns nullopt where the file is absent or cannot be read yet: it is read again later.
-std::optional<json> read_end(const fs::path& file) try {
+// Returns the state with the end that the file tells; nullopt where it is absent, cannot be read
+// yet or is none, as of a program that has written there: it is read again later.
+std::optional<JobState> ended_state(const fs::path& file, JobState state) try {
   if (!fs::exists(file)) return std::nullopt;
-  return parsed_json<json>(read_bytes(file));
+  const json entry = parsed_json<json>(read_bytes(file));
+  state.phase = static_cast<JobPhase>(entry.at("phase").get<int>());
+  state.status = entry.at("status");
+  state.message = entry.at("message");
+  state.wall_time = entry.at("wall_time_s");
+  return state;
 } catch (const fs::filesystem_error&) {
   return std::nullopt;
 } catch (const json::exception&) {
@@ -63,9 +49,7 @@ double seconds_since(fs::file_time_type begin) {
 
 JobList JobList::create(const fs::path& directory, const std::vector<Job>& jobs) {
   fs::create_directories(directory);
-  json list = json::array();
-  for (const Job& job : jobs) list.push_back(entry_of(job));
-  const std::vector<std::uint8_t> bytes = json::to_cbor(list);
+  const std::vector<std::uint8_t> bytes = json::to_cbor(jobs);
   replace_file(directory / list_name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()},
                Durability::process_crash);
   return {directory, jobs};
@@ -74,9 +58,7 @@ JobList JobList::create(const fs::path& directory, const std::vector<Job>& jobs)
 JobList JobList::open(const fs::path& directory) {
   const fs::path file = directory / list_name;
   try {
-    std::vector<Job> jobs;
-    for (const json& entry : json::from_cbor(read_bytes(file))) jobs.push_back(job_of(entry));
-    return {directory, std::move(jobs)};
+    return {directory, json::from_cbor(read_bytes(file)).get<std::vector<Job>>()};
   } catch (const json::exception& error) {
     throw std::runtime_error(
         fmt::format("{}: expected a list of jobs: {}", file.string(), error.what()));
@@ -103,12 +85,8 @@ void JobList::mark_ended(std::size_t index, const JobState& state) const {
 bool JobList::update(std::size_t index, JobState& state) const {
   const JobPhase before = state.phase;
   std::error_code none;
-  if (const auto end = read_end(file(index, ended))) {
-    const json& entry = *end;
-    state.phase = static_cast<JobPhase>(entry.at("phase").get<int>());
-    state.status = entry.at("status");
-    state.message = entry.at("message");
-    state.wall_time = entry.at("wall_time_s");
+  if (auto end = ended_state(file(index, ended), state)) {
+    state = std::move(*end);
   } else if (const auto begin = fs::last_write_time(file(index, started), none); !none) {
     state.phase = JobPhase::running;
     state.wall_time = seconds_since(begin);

@@ -1,20 +1,111 @@
 #include "verification/engine/slurm_engine.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
 #include <thread>
+#include <tuple>
+#include <vector>
 
-#include "verification/engine/slurm_array.hpp"
-#include "verification/engine/slurm_queue.hpp"
+#include "verification/engine/job.hpp"
 #include "verification/engine/watch.hpp"
 #include "verification/files/atomic_file.hpp"
+#include "verification/files/child_process.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/json_text.hpp"
 
 namespace slosh {
 namespace {
+
+constexpr std::size_t places_of_array = 1000;  // MaxArraySize is 1001 unless a site changes it
+constexpr double mebibyte = 1024 * 1024;
+// A run's peak memory varies little between machines; Slurm kills a job that exceeds its request.
+constexpr double memory_margin = 2;
+constexpr double unknown_memory = 1024 * mebibyte;
+constexpr double unknown_time = 3600;  // [s]
+
+int power_of_two_above(double value) {
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(std::max(value, 1.0)))));
+}
+
+int memory_of(const Job& job) {
+  const double expected = job.expected_memory > 0 ? job.expected_memory : unknown_memory;
+  return power_of_two_above(memory_margin * expected / mebibyte + 64);
+}
+
+// The job keeps its own limit. Slurm's is a minute longer, so that the job can report its time-out.
+int minutes_of(const Job& job) {
+  const double limit = job.time_limit > 0 ? job.time_limit : unknown_time;
+  return power_of_two_above(limit / 60 + 1);
+}
+
+// Commands to Slurm's controller, and what it answers about job arrays.
+
+// The outcome of one of Slurm's commands.
+struct SlurmAnswer {
+  int status;
+  std::string out, err;
+};
+
+// Runs the command without a shell, in this process's environment with the given variables added.
+// Throws EngineError where it is not installed or does not end within a minute.
+SlurmAnswer ask_slurm(const std::string& program, const std::vector<std::string>& arguments,
+                      const std::map<std::string, std::string>& environment = {});
+
+SlurmAnswer ask_slurm(const std::string& program, const std::vector<std::string>& arguments,
+                      const std::map<std::string, std::string>& more) {
+  constexpr std::chrono::seconds time_limit{60};
+  const std::filesystem::path path = program_on_path(program);
+  if (path.empty())
+    throw MissingEngine(program + " is not installed: --launcher slurm needs Slurm's commands");
+  std::vector<std::string> command{path.string()};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  ChildProcess child(command, {.splits_errors = true, .environment = more});
+  if (!child.ends_within(time_limit))
+    throw EngineError(fmt::format("{} has not ended within {} s", program, time_limit.count()));
+  return {child.exit_status(), child.output(), child.errors()};
+}
+
+// Returns "12_3" for each task of these arrays that is in the queue, be it waiting, running or
+// ending, and nullopt where the controller does not answer.
+std::optional<std::set<std::string>> queued_tasks(const std::vector<std::string>& arrays) try {
+  const SlurmAnswer answer = ask_slurm(
+      "squeue",
+      {"--noheader", "--array", "--format=%i", fmt::format("--jobs={}", fmt::join(arrays, ","))});
+  // A job that the controller no longer knows has ended.
+  if (answer.err.find("Invalid job id") != std::string::npos) return std::set<std::string>{};
+  if (answer.status != 0) return std::nullopt;
+  std::set<std::string> tasks;
+  std::istringstream lines(answer.out);
+  for (std::string task; lines >> task;) tasks.insert(task);
+  return tasks;
+} catch (const EngineError&) {
+  return std::nullopt;
+}
+
+// Returns "CANCELLED", "OUT_OF_MEMORY", ... for a task that has left the queue, as far as the
+// controller still knows.
+std::string state_of_task(const std::string& task) try {
+  const SlurmAnswer answer = ask_slurm("scontrol", {"--oneliner", "show", "job", task});
+  const std::string mark = "JobState=";
+  const std::size_t at = answer.out.find(mark);
+  if (at == std::string::npos) return "no longer known to Slurm";
+  const std::size_t begin = at + mark.size();
+  return "Slurm says " + answer.out.substr(begin, answer.out.find(' ', begin) - begin);
+} catch (const EngineError&) {
+  return "Slurm does not answer";
+}
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
@@ -100,6 +191,46 @@ class Arrays {
 };
 
 }  // namespace
+
+std::vector<SlurmArray> slurm_arrays(const std::vector<Job>& jobs) {
+  std::map<std::tuple<bool, int, int, int, std::size_t>, SlurmArray> arrays;
+  std::map<std::tuple<bool, int, int, int>, std::size_t> first;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const Job& job = jobs[i];
+    const auto needs = std::make_tuple(job.alone, job.cores, memory_of(job), minutes_of(job));
+    const std::size_t begin = first.try_emplace(needs, i).first->second;
+    const auto place = std::tuple_cat(needs, std::make_tuple((i - begin) / places_of_array));
+    SlurmArray& array =
+        arrays
+            .try_emplace(place,
+                         SlurmArray{{}, job.cores, memory_of(job), minutes_of(job), job.alone})
+            .first->second;
+    array.jobs.push_back(i);
+  }
+  std::vector<SlurmArray> ordered;
+  for (auto& [place, array] : arrays) ordered.push_back(std::move(array));
+  return ordered;
+}
+
+std::vector<std::string> sbatch_arguments(const SlurmArray& array, const std::string& directory,
+                                          const std::vector<std::string>& after) {
+  std::vector<std::size_t> places;
+  for (const std::size_t job : array.jobs) places.push_back(job - array.jobs.front());
+  // Of jobs that run alone one is started at a time (%1).
+  std::vector<std::string> arguments{
+      "--parsable",
+      "--job-name=slosh",
+      fmt::format("--array={}{}", fmt::join(places, ","), array.alone ? "%1" : ""),
+      "--chdir=" + directory,
+      "--output=slurm-%A_%a.log",
+      fmt::format("--cpus-per-task={}", array.cores),
+      fmt::format("--mem={}M", array.memory),
+      fmt::format("--time={}", array.minutes)};
+  if (array.alone) arguments.push_back("--exclusive");
+  if (!after.empty())
+    arguments.push_back(fmt::format("--dependency=afterany:{}", fmt::join(after, ":")));
+  return arguments;
+}
 
 std::vector<JobState> run_by_slurm(const JobList& list, const LaunchSettings& settings,
                                    const std::atomic<bool>& stop, const ObserveJobs& observe) {

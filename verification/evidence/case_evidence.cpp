@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numbers>
-#include <tuple>
 
 #include "verification/case/ensemble.hpp"
 #include "verification/case/judged_time.hpp"
@@ -14,7 +12,6 @@
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/evidence/input_uncertainty.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/evidence/run_cost.hpp"
 #include "verification/evidence/soundness.hpp"
@@ -57,6 +54,14 @@ const TimeSeries& series_of(const CaseRuns& runs, const std::string& run,
   return result_of(runs, run).at(quantity);
 }
 
+// The series of a filtered pressure before its filter, which smooths what the sensor cuts off; else
+// the quantity itself.
+std::string as_read(const CaseRuns& runs, const std::string& run, const std::string& quantity) {
+  if (!is_filtered(quantity)) return quantity;
+  const std::string raw = quantity.substr(0, quantity.size() - std::strlen(through_filter));
+  return has_series(runs, run, raw) ? raw : quantity;
+}
+
 TimeSeries moved_series(const CaseRuns& runs, const std::string& run, const std::string& quantity,
                         const Moved& moved) {
   TimeSeries series = series_of(runs, run, quantity);
@@ -67,34 +72,6 @@ TimeSeries moved_series(const CaseRuns& runs, const std::string& run, const std:
   for (std::size_t i = 0; i < common; ++i)
     series.value[i] += moved.share * (other.value[i] - series.value[i]);
   return series;
-}
-
-double wave_period(const CaseDefinition& definition) {
-  const std::vector<double> first = natural_frequencies(definition, 1);
-  return first.empty() ? not_a_number : 2 * std::numbers::pi / first.front();
-}
-
-// Two repeats differ by sqrt(2) deviations; 1.645 is the normal quantile that 5 % exceed.
-std::optional<double> published_scatter(const CaseDefinition& definition, const GateRow& row) {
-  if (row.metric != Metric::impact_peak_error || !definition.impacts) return std::nullopt;
-  const ImpactsDefinition& impacts = *definition.impacts;
-  const std::size_t n = impact_number(row.mode, definition);
-  if (n >= impacts.peak_deviations.size()) return std::nullopt;
-  return 1 + 1.645 * std::sqrt(2.0) * impacts.peak_deviations[n] / impacts.peak_means[n];
-}
-
-// A mode is sought within a tenth of linear theory's frequency (harmonic_fit.hpp).
-std::string doubt_of_searched_band(const GateRow& row, const std::vector<ToneRequest>& modes) {
-  constexpr double searched = 0.1;
-  if (row.metric != Metric::frequency || !row.between) return "";
-  for (const ToneRequest& mode : modes) {
-    const double theory = mode.angular_frequency / (2 * std::numbers::pi);
-    if (mode.name == row.mode && row.between->first <= (1 - searched) * theory &&
-        row.between->second >= (1 + searched) * theory)
-      return fmt::format("the bounds hold all that is searched, 10 % to either side of {:.4g} Hz",
-                         theory);
-  }
-  return "";
 }
 
 }  // namespace
@@ -113,15 +90,6 @@ std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition) {
   return modes_of(definition, definition.natural_modes);
 }
 
-TimeWindow compared_window(TimeWindow window, const CaseDefinition& definition,
-                           const std::string& reference) {
-  if (const RecordRun* record = record_named(definition, reference)) {
-    window.begin = std::max(window.begin, record->time.front());
-    window.end = std::min(window.end, record->time.back());
-  }
-  return window;
-}
-
 NeededModes modes_needed_by(const std::vector<GateRow>& rows) {
   NeededModes needed{Detail::spectrum_alone};
   bool of_all = false;
@@ -135,34 +103,6 @@ NeededModes modes_needed_by(const std::vector<GateRow>& rows) {
   return needed;
 }
 
-struct CaseEvidence::OtherTime {
-  CaseDefinition definition;
-  CaseEvidence evidence;
-
-  OtherTime(const CaseDefinition& of, std::pair<double, double> time, const CaseRuns& runs,
-            const std::vector<GateRow>& rows)
-      : definition(over(of, time)), evidence(definition, runs, nullptr, modes_needed_by(rows)) {}
-
- private:
-  static CaseDefinition over(CaseDefinition of, std::pair<double, double> time) {
-    std::tie(of.window_begin, of.window_end) = time;
-    return of;
-  }
-};
-
-CaseEvidence& CaseEvidence::over_time_of(const GateRow& row) {
-  const std::pair<double, double> time = judged_time(row, definition_);
-  if (time == std::pair(definition_.window_begin, definition_.window_end)) return *this;
-  std::shared_ptr<OtherTime>& here = other_times_[time];
-  if (!here) {
-    std::vector<GateRow> rows{row};
-    for (const GateRow& other : definition_.gate)
-      if (judged_time(other, definition_) == time) rows.push_back(other);
-    here = std::make_shared<OtherTime>(definition_, time, runs_, rows);
-  }
-  return here->evidence;
-}
-
 CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& runs,
                            const FittedComparisons* known, NeededModes needed)
     : definition_(definition),
@@ -170,6 +110,16 @@ CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& run
       known_(known),
       needed_(std::move(needed)),
       modes_(fitted_modes(definition)) {}
+
+CaseEvidence& CaseEvidence::over_time_of(const GateRow& row) {
+  const std::pair<double, double> time = judged_time(row, definition_);
+  if (time == std::pair(definition_.window_begin, definition_.window_end)) return *this;
+  std::shared_ptr<CaseEvidence>& here = other_times_[time];
+  if (!here)
+    here = std::make_shared<CaseEvidence>(
+        other_definitions_.emplace_back(judged_over(row, definition_)), runs_, nullptr, needed_);
+  return *here;
+}
 
 const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std::string& run,
                                              const std::string& quantity, const Moved& moved,
@@ -187,11 +137,8 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
       made->add_band({series_of(runs_, run, quantity + lower_edge),
                       series_of(runs_, run, quantity + upper_edge)});
     made->readings.rests = resting_values(definition_, quantity);
-    // The filter smooths what the sensor cuts off.
-    if (is_filtered(quantity))
-      if (const std::string raw = quantity.substr(0, quantity.size() - std::strlen(through_filter));
-          has_series(runs_, run, raw))
-        made->readings.limits = sensor_limits(cut_to_window(series_of(runs_, run, raw), window));
+    if (const std::string raw = as_read(runs_, run, quantity); raw != quantity)
+      made->readings.limits = sensor_limits(cut_to_window(series_of(runs_, run, raw), window));
     here = std::move(made);
   }
   return *here;
@@ -201,8 +148,7 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
 // cannot resolve them is refused.
 Comparison CaseEvidence::compared(const std::string& candidate, const std::string& reference,
                                   const std::string& quantity, const Moved& moved) {
-  const TimeWindow window =
-      compared_window({definition_.window_begin, definition_.window_end}, definition_, reference);
+  const TimeWindow window = compared_window(definition_, reference);
   const RecordRun* record = record_named(definition_, reference);
   if (record && !(window.end > window.begin))
     throw ComparisonError(fmt::format(
@@ -233,6 +179,7 @@ const Comparison& CaseEvidence::comparison(const std::string& candidate,
 const Comparison& CaseEvidence::comparison_with(const std::string& candidate,
                                                 const std::string& reference,
                                                 const std::string& quantity, const Moved& moved) {
+  read_.insert({candidate, reference});
   const std::array<std::string, 3> key{candidate, reference, quantity + moved.text()};
   if (known_)
     if (const auto known = known_->of.find(key); known != known_->of.end()) return known->second;
@@ -240,16 +187,25 @@ const Comparison& CaseEvidence::comparison_with(const std::string& candidate,
   return fitted_.of.emplace(key, compared(candidate, reference, quantity, moved)).first->second;
 }
 
-const Contribution& CaseEvidence::input_contribution(const GateRow& row) {
+std::vector<InputEffect> CaseEvidence::effects_of_inputs(const GateRow& row) {
+  if (is_of_band(row.metric)) return input_effects(definition_, runs_, row, measure_with_series());
   const std::string key = row_name(row);
   if (known_)
     if (const auto known = known_->input.find(key); known != known_->input.end())
       return known->second;
   if (const auto found = fitted_.input.find(key); found != fitted_.input.end())
     return found->second;
-  return fitted_.input
-      .emplace(key, input_uncertainty(definition_, runs_, row, measure_with_series()))
+  return fitted_.input.emplace(key, input_effects(definition_, runs_, row, measure_with_series()))
       .first->second;
+}
+
+Contribution CaseEvidence::input_contribution(const GateRow& row, double value) {
+  const FindComparison find = [this](const auto&... names) -> const Comparison& {
+    return comparison(names...);
+  };
+  for (const auto& [input, bounds] : runs_.input_bounds) read_.insert(bounds.own);
+  return input_uncertainty(effects_of_inputs(row), row,
+                           candidate_scale(definition_, row, value, find));
 }
 
 // The series stands for all of an ensemble that the run begins.
@@ -277,6 +233,7 @@ MeasureWithSeries CaseEvidence::measure_with_series() const {
 
 const Estimate& CaseEvidence::of_repeats(const std::vector<std::string>& members,
                                          const GateRow& row) {
+  read_.insert(members.begin(), members.end());
   const std::string key = row_name(row);
   if (const auto found = of_repeats_.find(key); found != of_repeats_.end()) return found->second;
   std::vector<const TimeSeries*> pressures;
@@ -303,24 +260,19 @@ Estimate CaseEvidence::corrected_p_value(const std::vector<std::string>& members
   return holm_corrected(family, 0);
 }
 
-// The runs of the row that are not sound keep it from passing. What a run does later is no doubt of
-// its start.
+// A run that is not sound keeps the row from passing. What it does later is no doubt of its start.
 RowDoubts CaseEvidence::doubts_of_runs(const GateRow& row) const {
   RowDoubts doubts;
-  const auto add = [&](const std::string& doubt, bool keeps) {
-    if (doubt.empty()) return false;
-    doubts.text += "; doubtful: " + doubt;
-    doubts.keep_from_passing |= keeps;
-    return true;
-  };
   for (const std::string& named : {row.candidate, row.reference, row.improves_on.value_or("")}) {
     if (named.empty()) continue;
-    add(script_doubt(run_named(definition_, named), definition_), false);
+    if (const std::string one = script_doubt(run_named(definition_, named), definition_);
+        !one.empty())
+      doubts.text += "; doubtful: " + one;
     if (row.metric == Metric::initial_value) continue;
-    for (const std::string& run : members_of(definition_, named))
-      if (add(soundness_doubt(definition_, runs_, run), true)) break;  // one tells enough
+    const std::string one = soundness_doubt(definition_, runs_, {named});
+    if (!one.empty()) doubts = {doubts.text + "; doubtful: " + one, true};
   }
-  add(doubt_of_searched_band(row, modes_), true);
+  if (is_cost(row.metric)) doubts.text += left_out_as_compiling(definition_, runs_, row);
   return doubts;
 }
 
@@ -330,13 +282,16 @@ GateEvidence CaseEvidence::gate_evidence() {
     return comparison(candidate, reference, quantity);
   };
   const FindSeries find_series = [this](const std::string& run, const std::string& quantity) {
+    read_.insert(run);
     return cut_to_window(series_of(runs_, run, quantity),
                          {definition_.window_begin, definition_.window_end});
   };
   const FindHistory history = [this](const std::string& run, const std::string& quantity) {
+    read_.insert(run);
     return series_of(runs_, run, quantity);
   };
   const MeasureImpacts measure_impacts = [this](const std::string& run, const GateRow& of) {
+    read_.insert(run);
     return impact_metric(of.metric, of.mode, series_of(runs_, run, of.quantity),
                          series_of_record(definition_, runs_, of.quantity), definition_);
   };
@@ -344,6 +299,7 @@ GateEvidence CaseEvidence::gate_evidence() {
     return cost_to_reach(definition_, runs_, row, find);
   };
   const MeasureFields fields = [this](const GateRow& row) {
+    read_.insert({row.candidate, row.reference});
     return field_metric(row, result_of(runs_, row.candidate), result_of(runs_, row.reference),
                         definition_);
   };
@@ -370,7 +326,10 @@ GateEvidence CaseEvidence::gate_evidence() {
       .comparison = find,
       .measure = [evidence](const GateRow& row) { return measured(row, evidence); },
       .measure_against_moved = against_moved,
-      .input = [this](const GateRow& row) { return input_contribution(row); },
+      .input =
+          [this, evidence](const GateRow& row) {
+            return input_contribution(row, measured(row, evidence).value);
+          },
       .pairs = [evidence](const GateRow& row) { return measured_pairs(row, evidence); },
       .measure_with = measure_with_series()};
   const FindUncertainty uncertainty = [this, measures](const GateRow& row) {
@@ -388,12 +347,17 @@ GateEvidence CaseEvidence::gate_evidence() {
           repeats,
           doubts,
           definition_.sample_interval,
-          wave_period(definition_),
-          [this](const GateRow& row) { return published_scatter(definition_, row); }};
+          [this](const std::string& run, const std::string& quantity) {
+            return series_of(runs_, run, as_read(runs_, run, quantity));
+          }};
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {
-  return evaluate(row, runs_.status, over_time_of(row).gate_evidence());
+  CaseEvidence& here = over_time_of(row);
+  here.read_.clear();
+  GateOutcome outcome = evaluate(row, runs_.status, here.gate_evidence());
+  outcome.measured_with = std::exchange(here.read_, {});
+  return outcome;
 }
 
 }  // namespace slosh

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <list>
 #include <map>
 #include <memory>
 #include <set>
@@ -15,6 +16,7 @@
 
 #include "verification/case/case_definition.hpp"
 #include "verification/evidence/case_runs.hpp"
+#include "verification/evidence/input_uncertainty.hpp"
 #include "verification/evidence/record_uncertainty.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/metrics/comparison.hpp"
@@ -26,10 +28,6 @@ std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count);
 
 // Those of them that the case's comparisons fit.
 std::vector<ToneRequest> fitted_modes(const CaseDefinition& definition);
-
-// The window, or the part of it that a record covers. A candidate must cover it all.
-TimeWindow compared_window(TimeWindow window, const CaseDefinition& definition,
-                           const std::string& reference);
 
 // Role, run, quantity, window's begin and end, number of modes: a series is prepared once for all
 // its comparisons.
@@ -48,8 +46,8 @@ struct FittedComparisons {
   // By candidate, reference and the reference's quantity, moved or not.
   std::map<std::array<std::string, 3>, Comparison> of;
   std::map<PreparedKey, std::shared_ptr<const PreparedSeries>> series;
-  // input_uncertainty() by row_name(); it does not depend on the candidate's own series.
-  std::map<std::string, Contribution> input;
+  // input_effects() by row_name(), but for those that depend on the candidate's own series.
+  std::map<std::string, std::vector<InputEffect>> input;
 };
 
 // The part of a comparison's modes that is computed; by default all of it.
@@ -94,15 +92,18 @@ class CaseEvidence {
   std::vector<ToneRequest> modes_;
   FittedComparisons fitted_;
   std::map<std::string, Estimate> of_repeats_ = {};  // by row; before any correction
-  struct OtherTime;
-  std::map<std::pair<double, double>, std::shared_ptr<OtherTime>> other_times_ = {};
+  std::set<std::string> read_ = {};                  // the runs that the row being judged has read
+  // Evidence over other times than the case's window, of cases whose window that time is.
+  std::map<std::pair<double, double>, std::shared_ptr<CaseEvidence>> other_times_ = {};
+  std::list<CaseDefinition> other_definitions_ = {};
 
   // Compares with the reference's series, moved or not.
   const Comparison& comparison_with(const std::string& candidate, const std::string& reference,
                                     const std::string& quantity, const Moved& moved);
   Comparison compared(const std::string& candidate, const std::string& reference,
                       const std::string& quantity, const Moved& moved);
-  const Contribution& input_contribution(const GateRow& row);
+  std::vector<InputEffect> effects_of_inputs(const GateRow& row);
+  Contribution input_contribution(const GateRow& row, double value);
   RowDoubts doubts_of_runs(const GateRow& row) const;
   const Estimate& of_repeats(const std::vector<std::string>& members, const GateRow& row);
   Estimate corrected_p_value(const std::vector<std::string>& members, const GateRow& row);

@@ -46,4 +46,13 @@ std::vector<std::string> complete_results(const CaseDefinition& definition, Case
   return failures;
 }
 
+TimeWindow compared_window(const CaseDefinition& definition, const std::string& reference) {
+  TimeWindow window{definition.window_begin, definition.window_end};
+  if (const auto* record = std::get_if<RecordRun>(&run_named(definition, reference).solver)) {
+    window.begin = std::max(window.begin, record->time.front());
+    window.end = std::min(window.end, record->time.back());
+  }
+  return window;
+}
+
 }  // namespace slosh

@@ -45,4 +45,7 @@ const TimeSeries* series_of_record(const CaseDefinition& definition, const CaseR
 // for each series that could not be filtered.
 std::vector<std::string> complete_results(const CaseDefinition& definition, CaseRuns& runs);
 
+// The case's window, or the part of it that a record covers. A candidate must cover it all.
+TimeWindow compared_window(const CaseDefinition& definition, const std::string& reference);
+
 }  // namespace slosh

@@ -90,6 +90,18 @@ std::vector<MeasuredRun> one_a_step(const std::vector<MeasuredRun>& measured,
   return kept;
 }
 
+// Of a program of the user's, by what its results say; false where they do not. Our own solvers
+// cannot ignore their spacing.
+bool has_no_more_particles(const std::string& coarse, const std::string& fine,
+                           const CaseDefinition& definition, const CaseRuns& runs) {
+  const double few = runs.results.at(coarse).cost.elements,
+               many = runs.results.at(fine).cost.elements;
+  const RunDefinition& finer = run_named(definition, fine);
+  return !method_of(finer).empty() &&
+         particle_spacing(run_named(definition, coarse)) > particle_spacing(finer) && few > 0 &&
+         many > 0 && many <= few;
+}
+
 // Why the values tell nothing of the discretisation; "" where they do.
 std::string why_unknown(const std::vector<MeasuredRun>& measured,
                         const std::vector<MeasuredRun>& kept, const CaseDefinition& definition,
@@ -100,6 +112,9 @@ std::string why_unknown(const std::vector<MeasuredRun>& measured,
   const TimeWindow window{definition.window_begin, definition.window_end};
   for (std::size_t i = 1; i < kept.size(); ++i) {
     const std::string &coarse = kept[i - 1].name, &fine = kept[i].name;
+    if (has_no_more_particles(coarse, fine, definition, runs))
+      return fmt::format("{} has no more particles than {}: the refinement changed nothing", fine,
+                         coarse);
     if (has_series(runs, coarse, quantity) && has_series(runs, fine, quantity) &&
         are_same(runs.results.at(coarse).at(quantity), runs.results.at(fine).at(quantity), window))
       return fmt::format("{} and {} have the same {}: the refinement changed nothing", coarse, fine,

@@ -56,7 +56,8 @@ struct Refinements {
 // The metric on each path of the case that holds the row's candidate (or reference), for all runs
 // that can be measured. A path is left out where that run or all others cannot be measured. Of runs
 // whose steps differ by less than least_refinement_ratio one counts: the row's own, or else the
-// first. A path tells nothing where a single step is left, and where two of its steps have the same
+// first. A path tells nothing where a single step is left, where the finer of two spacings of a
+// user's program has no more particles by its own result, and where two of its steps have the same
 // series in the window, to a millionth: one of them is not what it claims to be.
 Refinements refined_metrics(const CaseDefinition& definition, const CaseRuns& runs,
                             const GateRow& row, Role role, const PathMeasures& measures);

@@ -207,7 +207,8 @@ bool rests_on_experiment(const CaseDefinition& definition, const GateRow& row) {
 
 bool rests_on_input_bounds(const CaseDefinition& definition, const GateRow& row) {
   return row.kind == RowKind::validation && rests_on_experiment(definition, row) &&
-         !is_of_repeats(row.metric) && !run_named(definition, row.candidate).varies_inputs;
+         !is_of_repeats(row.metric) && !is_cost(row.metric) &&
+         !run_named(definition, row.candidate).varies_inputs;
 }
 
 UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const CaseRuns& runs,

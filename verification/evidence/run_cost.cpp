@@ -135,6 +135,26 @@ std::vector<WorkPoint> by_memory(const WorkFamily& family) {
   return points;
 }
 
+std::string left_out_as_compiling(const CaseDefinition& definition, const CaseRuns& runs,
+                                  const GateRow& row) {
+  const std::string name = work_family(run_named(definition, row.candidate));
+  double largest = 0;
+  std::string text;
+  for (const RunDefinition& run : definition.runs) {
+    const auto found = runs.results.find(run.name);
+    if (work_family(run) != name || found == runs.results.end()) continue;
+    const auto said = found->second.diagnostics.find("compile_processor_time_s");
+    if (said == found->second.diagnostics.end()) continue;
+    const double share = said->second / (said->second + found->second.cost.core_seconds());
+    if (!(share > largest)) continue;
+    largest = share;
+    text = fmt::format(
+        "{} says itself that {:.3g} s were compiling, {} of what it took; they do not count",
+        run.name, said->second, in_unit(share, "1"));
+  }
+  return text.empty() ? "" : (largest > 0.5 ? "; doubtful: " : "; ") + text;
+}
+
 CostAtError cost_to_reach(const CaseDefinition& definition, const CaseRuns& runs,
                           const GateRow& row, const FindComparison& comparison) {
   const WorkFamily family = family_of_row(definition, runs, row, comparison);

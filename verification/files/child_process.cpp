@@ -39,6 +39,7 @@ using LogFile = std::unique_ptr<FILE, int (*)(FILE*)>;
 
 // An earlier program may have left a link or a pipe in its place: neither is written to.
 LogFile open_log(const std::filesystem::path& file) {
+  if (file.empty()) return {std::tmpfile(), std::fclose};
   require_no_input(file);
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   const int descriptor = ::open(
@@ -54,6 +55,15 @@ LogFile open_log(const std::filesystem::path& file) {
                             "cannot write the log " + file.string());
   }
   return log;
+}
+
+std::string text_of(FILE* file) {
+  std::string text;
+  char part[4096];
+  for (ssize_t count;
+       (count = ::pread(::fileno(file), part, sizeof part, static_cast<off_t>(text.size()))) > 0;)
+    text.append(part, static_cast<std::size_t>(count));
+  return text;
 }
 
 // Takes the lock that is held until a child is bound to its cores, so that another one finds it so.
@@ -96,47 +106,11 @@ std::set<pid_t> children() {
 // Makes this process adopt the orphans among its descendants from now on; one call is enough.
 void adopt_orphans() { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
 
-// The adopted processes: children of this process in another process group, except `own`, which
-// this process has started itself. Reaps those that have ended.
-std::set<pid_t> adopted_processes(const std::set<pid_t>& own) {
-  std::set<pid_t> adopted;
-  for (const pid_t child : children())
-    if (!own.contains(child) && ::getpgid(child) != ::getpgrp() &&
-        ::waitpid(child, nullptr, WNOHANG) == 0)
-      adopted.insert(child);
-  return adopted;
-}
-
-// Ends all adopted processes and the orphans that they leave in turn, with SIGKILL.
-void end_adopted_processes(const std::set<pid_t>& own) {
-  const auto begin = Clock::now();
-  for (std::set<pid_t> left = adopted_processes(own);
-       !left.empty() && Clock::now() - begin < patience; left = adopted_processes(own)) {
-    for (const pid_t process : left) ::kill(process, SIGKILL);
-    std::this_thread::sleep_for(look_interval);
-  }
-}
-
 // The children that this process has started here and that are still running or not yet reaped;
-// none of them counts as adopted.
-class OwnChildren {
- public:
-  void add(pid_t child) {
-    const std::lock_guard lock(mutex_);
-    living_.insert(child);
-  }
-  void remove(pid_t child) {
-    const std::lock_guard lock(mutex_);
-    living_.erase(child);
-  }
-  std::set<pid_t> all() const {
-    const std::lock_guard lock(mutex_);
-    return living_;
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::set<pid_t> living_;
+// none of them counts as adopted. Other threads neither start nor look while one does.
+struct OwnChildren {
+  std::mutex mutex;
+  std::set<pid_t> living;
 };
 
 OwnChildren& own_children() {
@@ -144,9 +118,37 @@ OwnChildren& own_children() {
   return children;
 }
 
+// The adopted processes: children of this process in another process group, except its own. Reaps
+// those that have ended.
+std::set<pid_t> adopted_processes() {
+  const std::lock_guard lock(own_children().mutex);
+  std::set<pid_t> adopted;
+  for (const pid_t child : children())
+    if (!own_children().living.contains(child) && ::getpgid(child) != ::getpgrp() &&
+        ::waitpid(child, nullptr, WNOHANG) == 0)
+      adopted.insert(child);
+  return adopted;
+}
+
+// Ends all adopted processes and the orphans that they leave in turn, with SIGKILL.
+void end_adopted_processes() {
+  const auto begin = Clock::now();
+  for (std::set<pid_t> left = adopted_processes(); !left.empty() && Clock::now() - begin < patience;
+       left = adopted_processes()) {
+    for (const pid_t process : left) ::kill(process, SIGKILL);
+    std::this_thread::sleep_for(look_interval);
+  }
+}
+
 }  // namespace
 
 struct ChildProcess::State {
+  explicit State(const ChildSettings& settings)
+      : log(open_log(settings.log_file)),
+        errors(settings.splits_errors ? std::tmpfile() : nullptr, std::fclose),
+        grace(settings.grace) {}
+
+  LogFile log, errors;
   bp::group group;
   bp::child child;
   Clock::time_point begin = Clock::now();
@@ -155,7 +157,7 @@ struct ChildProcess::State {
 
   void signal_group(int signal) const { ::kill(-group.native_handle(), signal); }
   bool group_lives() const {
-    adopted_processes(own_children().all());  // reaps those of the group that have ended
+    adopted_processes();  // reaps those of the group that have ended
     return ::kill(-group.native_handle(), 0) == 0;
   }
 
@@ -164,15 +166,16 @@ struct ChildProcess::State {
     std::error_code ignored;
     signal_group(SIGKILL);
     child.wait(ignored);
-    own_children().remove(child.id());
-    end_adopted_processes(own_children().all());
+    {
+      const std::lock_guard lock(own_children().mutex);
+      own_children().living.erase(child.id());
+    }
+    end_adopted_processes();
   }
 };
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const ChildSettings& settings)
-    : state_(std::make_unique<State>()) {
-  state_->grace = settings.grace;
-  const LogFile log = open_log(settings.log_file);
+    : state_(std::make_unique<State>(settings)) {
   const std::vector<std::string> arguments(command.begin() + 1, command.end());
   bp::environment environment = boost::this_process::environment();
   for (const auto& [name, value] : settings.environment) environment[name] = value;
@@ -190,11 +193,13 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const ChildS
     ::prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (settings.cores > 0) ::sched_setaffinity(0, sizeof cores, &cores);
   };
+  FILE *const out = state_->log.get(), *const errors = state_->errors ? state_->errors.get() : out;
+  const std::lock_guard lock(own_children().mutex);
   state_->child = bp::child(bp::exe = command.front(), bp::args = arguments, environment,
                             bp::start_dir = directory.string(), state_->group,
                             bp::extend::on_exec_setup = set_up,
-                            bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.get());
-  own_children().add(state_->child.id());
+                            bp::std_in<bp::null, bp::std_out> out, bp::std_err > errors);
+  own_children().living.insert(state_->child.id());
 }
 
 ChildProcess::ChildProcess(ChildProcess&&) noexcept = default;
@@ -216,10 +221,25 @@ bool ChildProcess::is_over() {
   return !child_runs && (out_of_grace || !state_->group_lives());
 }
 
+bool ChildProcess::ends_within(std::chrono::duration<double> limit) {
+  const auto end = state_->begin + std::chrono::duration_cast<Clock::duration>(limit);
+  for (; !is_over(); std::this_thread::sleep_for(look_interval))
+    if (!state_->terminated && Clock::now() > end) terminate();
+  return !state_->terminated;
+}
+
+std::string ChildProcess::output() const { return text_of(state_->log.get()); }
+std::string ChildProcess::errors() const { return text_of(state_->errors.get()); }
+
+int ChildProcess::exit_status() const { return state_->child.exit_code(); }
 int ChildProcess::wait_status() const { return state_->child.native_exit_code(); }
 
 double ChildProcess::wall_time() const {
   return std::chrono::duration<double>(Clock::now() - state_->begin).count();
+}
+
+std::filesystem::path program_on_path(const std::string& name) {
+  return bp::search_path(name).string();
 }
 
 }  // namespace slosh

@@ -13,7 +13,10 @@
 namespace slosh {
 
 struct ChildSettings {
-  std::filesystem::path log_file;  // gets its output and errors; the directory is made if needed
+  // Gets its output and errors; the directory is made if needed. Empty: a file without a name,
+  // which output() reads.
+  std::filesystem::path log_file = {};
+  bool splits_errors = false;                           // errors() then has the errors alone
   std::filesystem::path directory = {};                 // its work directory; empty: this process's
   std::map<std::string, std::string> environment = {};  // in addition to this process's
   // From SIGTERM to SIGKILL: long enough for mpirun to end its ranks.
@@ -37,12 +40,21 @@ class ChildProcess {
   // Whether the child has ended and, once terminate() was called, its group with it. Does not wait.
   bool is_over();
 
-  int wait_status() const;   // as from waitpid(2); valid once is_over()
-  double wall_time() const;  // [s] since the start
+  // Waits until it is over, and calls terminate() at the limit, counted from the start. Returns
+  // whether it has ended by itself.
+  bool ends_within(std::chrono::duration<double> limit);
+
+  // Valid once is_over().
+  std::string output() const, errors() const;
+  int exit_status() const, wait_status() const;  // the latter as from waitpid(2)
+  double wall_time() const;                      // [s] since the start
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
+
+// Returns the program of this name on the PATH, or an empty path.
+std::filesystem::path program_on_path(const std::string& name);
 
 }  // namespace slosh

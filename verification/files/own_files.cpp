@@ -5,9 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
+#include <cstdio>
+#include <exception>
 #include <map>
+#include <mutex>
 #include <set>
 #include <sstream>
 #include <system_error>
@@ -46,30 +48,15 @@ std::string identity_of(const fs::path& path, const std::string& command) {
   return hash_of(read_bytes(path), command);
 }
 
-// Empty where there is no list.
-std::string open_mark(const fs::path& directory) {
-  struct stat list;
-  const bool is_there = ::lstat((directory / list_name).c_str(), &list) == 0;
-  return is_there && S_ISREG(list.st_mode) ? fmt::format("*{}", list.st_ino) : "";
-}
-
 // The identities that the list of a directory gives to each name.
 using Identities = std::map<std::string, std::set<std::string>>;
 
 Identities listed_in(const fs::path& directory) try {
-  const std::string open = open_mark(directory);
-  if (open.empty()) return {};
+  if (!fs::is_regular_file(fs::symlink_status(directory / list_name))) return {};
   Identities listed;
   std::istringstream lines(read_bytes(directory / list_name));
-  for (std::string identity, name; lines >> identity && std::getline(lines.ignore(), name);) {
-    std::set<std::string>& known = listed[name];
-    if (identity == open)
-      known = {open};
-    else if (!identity.starts_with('*')) {
-      known.erase(open);
-      known.insert(identity);
-    }
-  }
+  for (std::string identity, name; lines >> identity && std::getline(lines.ignore(), name);)
+    listed[name].insert(identity);
   return listed;
 } catch (const fs::filesystem_error&) {
   return {};
@@ -107,8 +94,7 @@ std::optional<fs::path> foreign_at(const fs::path& path, const Identities& liste
   const auto found = listed.find(path.filename().string());
   const std::set<std::string> known =
       found == listed.end() ? std::set<std::string>() : found->second;
-  const bool is_open = !known.empty() && known.begin()->starts_with('*');
-  if (!fs::exists(status) || is_open) return std::nullopt;
+  if (!fs::exists(status)) return std::nullopt;
   if (fs::is_directory(status)) {
     const Identities inside = listed_in(path);
     for (const auto& entry : fs::directory_iterator(path))
@@ -121,19 +107,78 @@ std::optional<fs::path> foreign_at(const fs::path& path, const Identities& liste
   return path;
 }
 
-// The absolute path without dots, which must be Slosh's.
-fs::path own_place(const fs::path& path, const std::string& command) {
+struct Found {
+  fs::path place;  // absolute, without dots
+  std::optional<fs::path> foreign;
+};
+
+Found found_at(const fs::path& path, const std::string& command) {
   fs::path place = fs::absolute(path).lexically_normal();
   if (!place.has_filename()) place = place.parent_path();
-  const auto foreign = foreign_at(place, listed_in(place.parent_path()), command);
+  auto foreign = foreign_at(place, listed_in(place.parent_path()), command);
   // A link of Slosh's is itself replaced, and not what it leads to.
   const bool is_own_link = !foreign && fs::is_symlink(fs::symlink_status(place));
   if (!is_own_link) require_no_input(path);
   for (fs::path at = place.parent_path(); at.has_relative_path(); at = at.parent_path())
     if (fs::is_symlink(fs::symlink_status(at)))
       refuse("will not write through a link; expected a directory", at, ELOOP);
-  if (foreign) refuse(refusal, *foreign, EEXIST);
-  return place;
+  return {place, foreign};
+}
+
+fs::path own_place(const fs::path& path, const std::string& command) {
+  const Found found = found_at(path, command);
+  if (found.foreign) refuse(refusal, *found.foreign, EEXIST);
+  return found.place;
+}
+
+// Links and devices are not set aside: whoever laid them there expects them to stay.
+void require_movable(const Found& found) {
+  const fs::file_status status = fs::symlink_status(found.place);
+  if (found.foreign && !fs::is_regular_file(status) && !fs::is_directory(status))
+    refuse(refusal, *found.foreign, EEXIST);
+}
+
+class SetAside {
+ public:
+  void add(const fs::path& place, const fs::path& kept) {
+    const std::lock_guard lock(mutex_);
+    told_.push_back(place.string() + " is not as Slosh has left it; it is kept as " +
+                    kept.filename().string());
+  }
+  std::vector<std::string> told() const {
+    const std::lock_guard lock(mutex_);
+    return told_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::string> told_;
+};
+
+SetAside& set_aside() {
+  static SetAside all;
+  return all;
+}
+
+// Renames to the first name that is free.
+void move_aside(const fs::path& place) {
+  for (int number = 1;; ++number) {
+    const fs::path kept = place.native() + fmt::format(".kept-{}", number);
+    if (fs::exists(fs::symlink_status(kept))) continue;
+    if (renameat2(AT_FDCWD, place.c_str(), AT_FDCWD, kept.c_str(), RENAME_NOREPLACE) != 0) {
+      if (errno == EEXIST) continue;
+      // Some network file systems know no such flag.
+      if (errno != EINVAL && errno != ENOSYS) refuse("cannot set aside", place, errno);
+      fs::rename(place, kept);
+    }
+    return set_aside().add(place, kept);
+  }
+}
+
+fs::path free_place(const Found& found) {
+  require_movable(found);
+  if (found.foreign) move_aside(found.place);
+  return found.place;
 }
 
 // Returns the standard stream that writes to this very file, or -1.
@@ -159,17 +204,6 @@ void replace_listed(const fs::path& place, std::string_view content, const std::
   replace_file(place, content, Durability::process_crash);
 }
 
-// Removes a list that names none but these paths, of which none is there.
-void remove_unless_used(const fs::path& list, const std::vector<fs::path>& paths) try {
-  for (const auto& [name, identities] : listed_in(list.parent_path())) {
-    const fs::path place = list.parent_path() / name;
-    const bool is_mine = std::find(paths.begin(), paths.end(), place) != paths.end();
-    if (!is_mine || fs::exists(fs::symlink_status(place))) return;
-  }
-  fs::remove(list);
-} catch (const fs::filesystem_error&) {  // it stays
-}
-
 }  // namespace
 
 std::optional<fs::path> foreign_at(const fs::path& path) {
@@ -178,8 +212,17 @@ std::optional<fs::path> foreign_at(const fs::path& path) {
 
 void require_own(const fs::path& path) { own_place(path, ""); }
 
+void require_room(const fs::path& path) { require_movable(found_at(path, "")); }
+
+void make_room(const fs::path& path) { free_place(found_at(path, "")); }
+
+std::vector<std::string> told_of_set_aside() { return set_aside().told(); }
+
 void replace_own(const fs::path& file, std::string_view content) {
-  replace_listed(own_place(file, ""), content, "");
+  const Found found = found_at(file, "");
+  // What lost its list alone is Slosh's again.
+  const bool is_same = found.foreign && identity_of(found.place, "") == hash_of(content, "");
+  replace_listed(is_same ? found.place : free_place(found), content, "");
 }
 
 void replace_named(const fs::path& file, std::string_view content, const char* command) {
@@ -189,7 +232,7 @@ void replace_named(const fs::path& file, std::string_view content, const char* c
 }
 
 void link_own(const fs::path& target, const fs::path& link) {
-  const fs::path place = own_place(link, "");
+  const fs::path place = free_place(found_at(link, ""));
   add(hash_of(target.native(), ""), place);
   const fs::path next = make_beside(place, [&](const fs::path& one) {
     std::error_code taken;
@@ -211,29 +254,28 @@ void list_all_in(const fs::path& directory) {
   append(lines, directory);
 }
 
-OpenOutputs::OpenOutputs(std::vector<fs::path> paths, std::string command)
-    : paths_(std::move(paths)), command_(std::move(command)) {
-  for (fs::path& path : paths_) path = own_place(path, command_);
-  for (const fs::path& path : paths_) {
-    fs::create_directories(path.parent_path());
-    if (open_mark(path.parent_path()).empty()) new_lists_.push_back(path.parent_path() / list_name);
-    append("", path.parent_path());  // which makes the list that the mark names
-    add(open_mark(path.parent_path()), path);
-  }
+OpenOutputs::OpenOutputs(std::vector<fs::path> paths) : paths_(std::move(paths)) {
+  for (fs::path& path : paths_) path = free_place(found_at(path, ""));
+  for (const fs::path& path : paths_) fs::create_directories(path.parent_path());
 }
 
-OpenOutputs::OpenOutputs(const fs::path& file, const char* command)
-    : OpenOutputs(
-          is_written_through(file) ? std::vector<fs::path>() : std::vector{named_place(file)},
-          std::string(command)) {}
+OpenOutputs::OpenOutputs(const fs::path& file, std::string command) : command_(std::move(command)) {
+  if (!is_written_through(file)) paths_ = {own_place(named_place(file), command_)};
+}
+
+void OpenOutputs::make_room() const {
+  for (const fs::path& path : paths_) free_place(found_at(path, command_));
+}
 
 OpenOutputs::~OpenOutputs() {
+  // A command that has failed has left nothing.
+  if (!command_.empty() && std::uncaught_exceptions() > 0) return;
   for (const fs::path& path : paths_) try {
-      if (fs::is_directory(fs::symlink_status(path))) list_all_in(path);
-      add(identity_of(path, command_), path);
-    } catch (const std::exception&) {  // it stays open
+      const fs::file_status status = fs::symlink_status(path);
+      if (fs::is_directory(status)) list_all_in(path);
+      if (fs::is_regular_file(status)) add(identity_of(path, command_), path);
+    } catch (const std::exception&) {  // it is foreign
     }
-  for (const fs::path& list : new_lists_) remove_unless_used(list, paths_);
 }
 
 }  // namespace slosh

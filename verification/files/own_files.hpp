@@ -1,9 +1,12 @@
 // What Slosh has made, and may therefore replace or remove without being asked. Each directory has
 // a list of it, the file ".slosh", with a line "IDENTITY NAME" for each file and link: the hash of
 // the content, or of where the link leads. What is not there as the list says is a user's: it was
-// edited, or another file, or it came with a list that names another content. While a file or a
-// directory is open to a program, "*" and the list's own inode stand for the identity, so that no
-// list that was copied opens anything. A directory is Slosh's where all that lies in it is.
+// edited, or another file, or a program was interrupted, or the list was lost. A directory is
+// Slosh's where all that lies in it is.
+//
+// What is a user's is never replaced or removed. Where Slosh names the place itself, it is set
+// aside: NAME becomes NAME.kept-1, or the next number that is free. A link or a device stays, and
+// so does a file whose place the user has named: Slosh refuses to write there.
 //
 // Slosh names most outputs itself, below a directory that the user names. None of these lies behind
 // a link below it: whoever takes a path from the user resolves its links once (whole() of
@@ -14,7 +17,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace slosh {
@@ -27,7 +29,16 @@ std::optional<std::filesystem::path> foreign_at(const std::filesystem::path& pat
 // foreign lies there, and OutputError (protected_inputs.hpp) where an input of this process does.
 void require_own(const std::filesystem::path& path);
 
-// Replaces a file that Slosh names. Throws as require_own() and replace_file() do.
+// Throws in the same way, but not where a file or a directory lies there, which can be set aside.
+void require_room(const std::filesystem::path& path);
+
+// Sets aside what is foreign there. Throws as require_room().
+void make_room(const std::filesystem::path& path);
+
+// What this process has set aside, a sentence each.
+std::vector<std::string> told_of_set_aside();
+
+// Replaces a file that Slosh names, or sets it aside. Throws as require_room() and replace_file().
 void replace_own(const std::filesystem::path& file, std::string_view content);
 
 // Makes or replaces a link in the same way.
@@ -36,25 +47,24 @@ void link_own(const std::filesystem::path& target, const std::filesystem::path& 
 // Puts all that lies in a directory that Slosh has just made on the lists.
 void list_all_in(const std::filesystem::path& directory);
 
-// Files and directories that programs and other functions may write, replace and remove while this
-// object lives. Its destructor lists what they have left.
+// Files and directories that programs and other functions write while this object lives. Its
+// destructor lists what they have left.
 class OpenOutputs {
  public:
-  // Of those that Slosh names. Throws as require_own() does.
-  explicit OpenOutputs(std::vector<std::filesystem::path> paths)
-      : OpenOutputs(std::move(paths), std::string()) {}
+  // Of those that Slosh names. Makes room for each.
+  explicit OpenOutputs(std::vector<std::filesystem::path> paths);
   // Of a file that the user names for the output of a command. Its links are followed; devices and
-  // pipes are not listed; what another command has left is foreign.
-  OpenOutputs(const std::filesystem::path& file, const char* command);
+  // pipes are not listed; what another command has left is foreign. Throws as require_own().
+  OpenOutputs(const std::filesystem::path& file, std::string command);
   OpenOutputs(const OpenOutputs&) = delete;
   OpenOutputs& operator=(const OpenOutputs&) = delete;
   ~OpenOutputs();
 
- private:
-  OpenOutputs(std::vector<std::filesystem::path> paths, std::string command);
+  // Sets aside what a user has laid there since.
+  void make_room() const;
 
+ private:
   std::vector<std::filesystem::path> paths_;
-  std::vector<std::filesystem::path> new_lists_;  // of directories that had none
   std::string command_;
 };
 

@@ -45,14 +45,18 @@ bool lies_below(const fs::path& file, const fs::path& directory) {
 void protect_input(const fs::path& file) { protected_inputs().add(file); }
 
 void require_no_input(const fs::path& output) {
+  if (output.filename() == ".slosh")
+    throw OutputError(output.string() +
+                      ": expected another name for an output, as Slosh keeps its list of what it "
+                      "has made in a directory there");
   std::error_code absent;
   const fs::path place = fs::canonical(output, absent);
   if (absent) return;
   for (const fs::path& input : protected_inputs().all())
     if (fs::equivalent(input, place, absent) || lies_below(input, place))
       throw OutputError(output.string() + ": expected another place for an output, as " +
-                        (input == place ? "" : input.string() + ", which lies there, ") +
-                        "is an input of this command and would be lost");
+                        (input == place ? "it" : input.string() + ", which lies there,") +
+                        " is an input of this command and would be lost");
 }
 
 }  // namespace slosh

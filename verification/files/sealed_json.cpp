@@ -43,7 +43,7 @@ json read_sealed_json(const char* format, const std::filesystem::path& file) try
     throw ResultError(file.string() + " does not have the format \"" + format + "\"");
   return body;
 } catch (const json::exception& error) {
-  throw ResultError(file.string() + " is truncated or altered: " + error.what());
+  throw ResultError(file.string() + " is truncated or altered: " + words_of(error));
 } catch (const std::filesystem::filesystem_error& error) {
   throw ResultError(error.what());
 }

@@ -4,7 +4,6 @@
 #include "verification/fuzz/memory_file.hpp"
 #include "verification/import/file_formats.hpp"
 #include "verification/import/import_series.hpp"
-#include "verification/input/tables/peak_table.hpp"
 #include "verification/input/tables/time_table.hpp"
 #include "verification/results/result_file.hpp"
 

@@ -75,6 +75,12 @@ std::string outweighed_text(const Improvement& found, const std::string& unit) {
                      off, in_unit(found.as_good_at, unit));
 }
 
+// With what each run has of its own beside: its scatter and its discretisation.
+Estimate with_own(const Estimate& value, const UncertaintyContributions& of) {
+  return {value.value,
+          std::hypot(value.half_width, of.time_series.known(), of.discretisation.known())};
+}
+
 GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
                               const GateEvidence& evidence) {
   GateRow others_row = row;
@@ -82,9 +88,7 @@ GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
   const Estimate other = measured(others_row, evidence);
   const UncertaintyContributions own = contributions_to(row, evidence),
                                  others = contributions_to(others_row, evidence);
-  const Improvement found{{value.value, std::hypot(value.half_width, own.time_series.known())},
-                          {other.value, std::hypot(other.half_width, others.time_series.known())},
-                          common_to(own, others),
+  const Improvement found{with_own(value, own), with_own(other, others), common_to(own, others),
                           as_good_at(row.metric, value.value, other.value)};
   const Verdict verdict = verdict_on(found);
   const std::string missing = missing_for_validation(own);
@@ -230,14 +234,16 @@ std::optional<std::pair<Verdict, std::string>> obstacle_to(
   return std::nullopt;
 }
 
-// A row that counts the scatter of runs which repeat its candidate does not rest on one alone.
-std::vector<RowDoubts> doubts_of(const GateOutcome& outcome, const GateEvidence& evidence) {
-  const GateRow& row = outcome.row;
-  std::vector<RowDoubts> doubts{doubts_of_samples(row, evidence)};
-  if (outcome.judgement && !(outcome.judgement->contributions.time_series.known() > 0))
-    doubts.push_back(single_run_doubts(row, outcome.value.value, allowed_by(row), evidence));
-  if (evidence.doubts_of_runs) doubts.push_back(evidence.doubts_of_runs(row));
-  return doubts;
+// What the samples and the runs leave open.
+void add_doubts(const GateEvidence& evidence, GateOutcome& outcome) {
+  std::vector<RowDoubts> doubts{doubts_of_samples(outcome.row, evidence)};
+  if (evidence.doubts_of_runs) doubts.push_back(evidence.doubts_of_runs(outcome.row));
+  for (const RowDoubts& one : doubts) {
+    outcome.message += one.text;
+    if (one.keep_from_passing && outcome.verdict == Verdict::pass &&
+        outcome.row.kind != RowKind::regression)
+      outcome.verdict = Verdict::inconclusive;
+  }
 }
 
 }  // namespace
@@ -284,13 +290,8 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
     const Estimate value = measured(row, evidence);
     GateOutcome outcome = row.improves_on ? judge_improvement(row, value, evidence)
                                           : judge_bound(row, value, evidence);
-    outcome.message += place_text(row, evidence);
-    for (const RowDoubts& doubts : doubts_of(outcome, evidence)) {
-      outcome.message += doubts.text;
-      if (doubts.keep_from_passing && outcome.verdict == Verdict::pass &&
-          row.kind != RowKind::regression)
-        outcome.verdict = Verdict::inconclusive;
-    }
+    outcome.message += peak_text(row, evidence);
+    add_doubts(evidence, outcome);
     if (row.kind == RowKind::regression) outcome.message += " (regression)";
     return outcome;
   } catch (const NotSuppliedError& error) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -96,6 +97,8 @@ struct GateOutcome {
   std::string message;
   // What the verdict on a limit or a range rests on; empty for other rows.
   std::optional<ThreeWayOutcome> judgement = {};
+  // The runs that the verdict and its interval were measured with.
+  std::set<std::string> measured_with = {};
 };
 
 // The range in which the metric of a row with a limit or a range must lie, in the row's unit. A
@@ -120,12 +123,13 @@ std::optional<std::pair<Verdict, std::string>> obstacle_of(const std::string& su
 
 // A limit or a range passes where the whole 95 % interval about the metric lies within it, is
 // violated where all of it lies outside, and is inconclusive otherwise. An improvement on another
-// run is inconclusive where the intervals do not tell which run is better, and where the reference
-// and the inputs may be off by as much as makes both runs as good. A validation row with
-// unknown numerical uncertainty of its candidate or unknown uncertainty of its reference is
-// inconclusive instead of passing, and its message names what is missing; a regression row may
-// still pass. NaN never passes: an impact that does not occur and an error that is not reached are
-// NaN and violate their rows. A row is not supplied where its table of repeats is not supplied.
+// run is inconclusive where the intervals, which hold the numerical uncertainty of each, do not
+// tell which run is better, and where the reference and the inputs may be off by as much as makes
+// both runs as good. A validation row with unknown numerical uncertainty of its candidate or
+// unknown uncertainty of its reference is inconclusive instead of passing, and its message names
+// what is missing; a regression row may still pass. NaN never passes: an impact that does not occur
+// and an error that is not reached are NaN and violate their rows. A row is not supplied where its
+// table of repeats is not supplied.
 GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>& runs,
                      const GateEvidence& evidence);
 

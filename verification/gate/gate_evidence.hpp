@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -74,10 +73,6 @@ struct RowDoubts {
 // what it rests on has changed.
 using DoubtRuns = std::function<RowDoubts(const GateRow& row)>;
 
-// Returns by which factor the impact's peak of one run exceeds that of another in 5 % of all pairs
-// of the experiment's published repeats; nullopt where none are published.
-using FindPeakScatter = std::function<std::optional<double>(const GateRow& row)>;
-
 struct GateEvidence {
   FindComparison comparison;
   FindSeries series;  // for the metrics of the candidate alone
@@ -89,9 +84,8 @@ struct GateEvidence {
   MeasureFields fields = {};
   MeasureRepeats repeats = {};
   DoubtRuns doubts_of_runs = {};
-  double sample_interval = 0;         // [s], of the case's series
-  double wave_period = not_a_number;  // [s], of the first natural mode; NaN where there is none
-  FindPeakScatter peak_scatter = {};
+  double sample_interval = 0;  // [s], of the case's series
+  FindHistory readings = {};   // as `history`; of a filtered pressure those before its filter
 };
 
 }  // namespace slosh

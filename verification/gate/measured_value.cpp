@@ -17,6 +17,7 @@
 #include "verification/metrics/ensemble_mean.hpp"
 
 namespace slosh {
+namespace {
 
 const ModeComparison& mode_of(const Comparison& comparison, const std::string& mode) {
   const auto found = std::find_if(comparison.modes.begin(), comparison.modes.end(),
@@ -35,26 +36,6 @@ const ModeComparison& mode_of(const Comparison& comparison, const std::string& m
         *found->beside / (2 * std::numbers::pi)));
   return *found;
 }
-
-void require_unit(const GateRow& row, const std::string& quantity_unit) {
-  const std::string unit = metric_unit(row.metric, quantity_unit);
-  if (unit == row.unit) return;
-  throw ComparisonError(
-      fmt::format("{} is in {}, the row's limit in {}", metric_name(row.metric), unit, row.unit));
-}
-
-Peak largest_of(const TimeSeries& series) {
-  Peak largest{series.value.empty() ? not_a_number : 0, not_a_number};
-  for (std::size_t i = 0; i < series.value.size(); ++i) {
-    const double magnitude = std::abs(series.value[i]);
-    if (magnitude <= largest.magnitude && i > 0) continue;
-    largest = {magnitude, i < series.time.size() ? series.time[i] : not_a_number};
-    if (std::isnan(magnitude)) break;
-  }
-  return largest;
-}
-
-namespace {
 
 // A reference that does not decay, such as potential flow, has no decay rate to divide by.
 Estimate decay_error_of(const ModeComparison& mode) {
@@ -155,7 +136,7 @@ double initial_value(const TimeSeries& series, double interval) {
   const auto nearest =
       std::min_element(series.time.begin(), series.time.end(),
                        [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const double at = nearest == series.time.end() ? not_a_number : *nearest;
+  const double at = nearest == series.time.end() ? no_value.value : *nearest;
   if (!(std::abs(at) <= 1.001 * interval))
     throw ComparisonError(fmt::format(
         "the sample of {} nearest to the start is at {:.4g} s; expected one within {:g} s "
@@ -164,31 +145,37 @@ double initial_value(const TimeSeries& series, double interval) {
   return series.value.at(static_cast<std::size_t>(nearest - series.time.begin()));
 }
 
+void require_unit(const GateRow& row, const std::string& quantity_unit) {
+  const std::string unit = metric_unit(row.metric, quantity_unit);
+  if (unit == row.unit) return;
+  throw ComparisonError(
+      fmt::format("{} is in {}, the row's limit in {}", metric_name(row.metric), unit, row.unit));
+}
+
 // A run that is compared with itself has its own modes.
 Estimate frequency(const GateRow& row, const GateEvidence& evidence) {
+  require_unit(row, "");
   const Comparison& itself = evidence.comparison(row.candidate, row.candidate, row.quantity);
-  const Estimate& found = mode_of(itself, row.mode).candidate.angular_frequency;
   constexpr double turn = 2 * std::numbers::pi;
+  const Estimate& found = mode_of(itself, row.mode).candidate.angular_frequency;
   return {found.value / turn, found.half_width / turn};
 }
 
-Estimate candidate_alone(const GateRow& row, const GateEvidence& evidence) {
-  if (row.metric == Metric::frequency) {
-    require_unit(row, "");
-    return frequency(row, evidence);
-  }
+// The series over the window is requested first in any case: a series that is unusable there is
+// refused for initial_value too.
+double candidate_alone(const GateRow& row, const GateEvidence& evidence) {
   const TimeSeries series = evidence.series(row.candidate, row.quantity);
   require_unit(row, series.unit);
-  if (row.metric == Metric::noise_share) return {noise_share(series), 0};
-  if (row.metric == Metric::largest_magnitude) return {largest_of(series).magnitude, 0};
+  if (row.metric == Metric::noise_share) return noise_share(series);
+  if (row.metric == Metric::largest_magnitude) return largest_of(series).magnitude;
   if (row.metric == Metric::initial_value)
-    return {initial_value(evidence.history(row.candidate, row.quantity), evidence.sample_interval),
-            0};
+    return initial_value(evidence.history(row.candidate, row.quantity), evidence.sample_interval);
   throw std::logic_error("the candidate alone has no value of " + metric_name(row.metric));
 }
 
 Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
-  if (is_of_candidate_alone(row.metric)) return candidate_alone(row, evidence);
+  if (row.metric == Metric::frequency) return frequency(row, evidence);
+  if (is_of_candidate_alone(row.metric)) return {candidate_alone(row, evidence), 0};
   if (is_of_impacts(row.metric)) {
     require_unit(row, "Pa");
     return {evidence.impacts(row.candidate, row), 0};
@@ -313,9 +300,16 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence, R
       doubts.push_back(fmt::format("the candidate has no sample between {:.4g} and {:.4g} s",
                                    gap->begin, gap->end));
     if (!is_compared) continue;
-    SensorReadings readings{"candidate", series.unit, sensor_limits(series)};
-    readings.limits.lowest.reset();
-    std::ranges::move(flat_doubts(readings), std::back_inserter(doubts));
+    const bool is_smoothed = evidence.readings && is_filtered(row.quantity);
+    SensorReadings readings{
+        "candidate", series.unit,
+        sensor_limits(is_smoothed ? evidence.readings(run, row.quantity) : series)};
+    // A series that rests at its lowest value, as at zero, is not cut off there.
+    if (std::optional<FlatExtreme>& lowest = readings.limits.lowest;
+        lowest && (row.metric != Metric::largest_magnitude ||
+                   std::abs(lowest->value) + lowest->hidden <= largest_of(series).magnitude))
+      lowest.reset();
+    std::ranges::move(doubts_of_readings(readings), std::back_inserter(doubts));
     if (readings.limits.step && are_coarse_for(row, readings, 0))
       doubts.push_back(step_doubt(readings));
   }
@@ -323,7 +317,24 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence, R
   add_coverage(covered, found);
 }
 
+RowDoubts doubts_of_row(const GateRow& row, const GateEvidence& evidence) {
+  RowDoubts found;
+  if (is_of_a_pair(metric_entry(row.metric)))
+    add_doubts_of_pairs(row, evidence, found);
+  else if (is_of_impacts(row.metric) || is_of_candidate_alone(row.metric))
+    add_doubts_of_candidate(row, evidence, found);
+  return found;
+}
+
 }  // namespace
+
+Peak largest_of(const TimeSeries& series) {
+  Peak largest{series.value.empty() ? not_a_number : -1, not_a_number};
+  for (std::size_t i = 0; i < series.value.size() && !std::isnan(largest.magnitude); ++i)
+    if (const double magnitude = std::abs(series.value[i]); !(magnitude <= largest.magnitude))
+      largest = {magnitude, series.time[i]};
+  return largest;
+}
 
 std::string unseen_text(const UnseenInterval& unseen, const std::string& unit) {
   if (unseen.in_candidate)
@@ -339,11 +350,14 @@ std::string unseen_text(const UnseenInterval& unseen, const std::string& unit) {
 }
 
 RowDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence) {
-  RowDoubts found;
-  if (is_of_a_pair(metric_entry(row.metric)))
-    add_doubts_of_pairs(row, evidence, found);
-  else if (is_of_impacts(row.metric) || is_of_candidate_alone(row.metric))
-    add_doubts_of_candidate(row, evidence, found);
+  RowDoubts found = doubts_of_row(row, evidence);
+  if (!row.improves_on) return found;
+  GateRow other = row;
+  other.candidate = *row.improves_on;
+  const RowDoubts others = doubts_of_row(other, evidence);
+  if (others.text != found.text && !others.text.empty())  // what both say is of the reference
+    found.text += fmt::format("; with {} as the candidate{}", other.candidate, others.text);
+  found.keep_from_passing |= others.keep_from_passing;
   return found;
 }
 

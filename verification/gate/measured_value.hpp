@@ -20,6 +20,9 @@ inline constexpr Estimate no_value{not_a_number, not_a_number};
 // the metric's.
 Estimate measured(const GateRow& row, const GateEvidence& evidence);
 
+// "the reference has no sample between 3 and 3.5 s, where the candidate departs by ..."
+std::string unseen_text(const UnseenInterval& unseen, const std::string& unit);
+
 struct Peak {
   double magnitude, time;
 };
@@ -27,24 +30,14 @@ struct Peak {
 // The largest magnitude of a series and its time [s]; NaN where a value is NaN or there is none.
 Peak largest_of(const TimeSeries& series);
 
-// Throws ComparisonError for a mode that was not fitted, is not resolved, or cannot be separated
-// from another oscillation.
-const ModeComparison& mode_of(const Comparison& comparison, const std::string& mode);
-
-// Throws ComparisonError where the row's unit is not that of its metric of such a quantity.
-void require_unit(const GateRow& row, const std::string& quantity_unit);
-
-// "the reference has no sample between 3 and 3.5 s, where the candidate departs by ..."
-std::string unseen_text(const UnseenInterval& unseen, const std::string& unit);
-
 // Half of the window: a value of less of it says little of the rest.
 inline constexpr double least_coverage = 0.5;
 
 // Tells, of the worst of an ensemble's pairs, unseen_text() of a metric of the whole histories (the
-// modes of each series are fitted to its own samples), flat_doubts(), steps of more than a tenth of
-// the row's bounds, bounds that a candidate of nothing meets, and the share of the window that the
-// samples cover where that is not all. Throws what measured() throws, and
-// ComparisonError where they cover less than least_coverage.
+// modes of each series are fitted to its own samples), doubts_of_readings(), steps of more than a
+// tenth of the row's bounds, bounds that a candidate of nothing meets, and the share of the window
+// that the samples cover where that is not all; and the same of a run to improve on. Throws what
+// measured() throws, and ComparisonError where they cover less than least_coverage.
 RowDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence);
 
 // Whether the row is judged on the mean or the median over an ensemble, its candidate or its

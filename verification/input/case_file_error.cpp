@@ -11,7 +11,8 @@ CaseFileErrors::CaseFileErrors(std::vector<std::string> all)
     : CaseFileError(fmt::format("{}", fmt::join(all, "\n"))), messages(std::move(all)) {}
 
 void Complaints::keep(const std::string& message) {
-  if (std::find(messages_.begin(), messages_.end(), message) == messages_.end())
+  if (messages_.size() < most &&
+      std::find(messages_.begin(), messages_.end(), message) == messages_.end())
     messages_.push_back(message);
 }
 
@@ -25,7 +26,6 @@ bool Complaints::allow(const std::function<void()>& read) {
     keep(error.what());
   }
   if (messages_.size() >= most) {
-    messages_.resize(most);
     messages_.push_back(fmt::format("these are the first {}; there may be more", most));
     tell();
   }

@@ -3,12 +3,20 @@
 // replacements of characters.
 #pragma once
 
+#include <fnmatch.h>
+
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace slosh {
+
+// Patterns of names in case and campaign files, as in a shell: "recommended_*", "*_10mm".
+
+inline bool matches_pattern(const std::string& pattern, const std::string& name) {
+  return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+}
 
 std::size_t edit_distance(std::string_view a, std::string_view b);
 

@@ -162,6 +162,7 @@ TomlTable::TomlTable(std::string_view text, const std::filesystem::path& file) {
 void TomlTable::allow_only(const std::vector<std::string>& keys) const {
   std::vector<std::string> unknown;
   for (const auto& [key, node] : *content_->table) {
+    if (unknown.size() == Complaints::most) break;
     if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
     unknown.push_back(
         fmt::format("{}: {}{} = {}: expected only these keys here: {}; nearest known key: {}",

@@ -130,6 +130,18 @@ void add_modes(const PreparedSeries& candidate, const PreparedSeries& reference,
   result.reference_peaks = spectral_peaks(*reference.spectrum, peaks);
 }
 
+// A value at which one alone stays is no rest: what falls dry in the one comes near to it in the
+// other.
+SensorReadings resting_with(const PreparedSeries& one, const PreparedSeries& other) {
+  constexpr double near = 0.25;  // of the other's range
+  const auto [low, high] = std::minmax_element(other.cut.value.begin(), other.cut.value.end());
+  const double reach = near * (*high - *low);
+  SensorReadings readings = one.readings;
+  std::erase_if(readings.rests,
+                [&](double rest) { return rest < *low - reach || rest > *high + reach; });
+  return readings;
+}
+
 }  // namespace
 
 PreparedSeries::PreparedSeries(const std::string& role, TimeSeries of, TimeWindow over,
@@ -177,9 +189,11 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
   result.unseen = unseen_interval(candidate.series, all);
   result.covered = std::min(candidate.covered, reference.covered);
   if (!reference.constant) {
-    for (const SensorReadings& one : {reference.readings, candidate.readings}) {
-      std::ranges::move(flat_doubts(one), std::back_inserter(result.doubts));
-      if (one.limits.step) result.in_steps.push_back(one);
+    for (const PreparedSeries* one : {&reference, &candidate}) {
+      const PreparedSeries& other = one == &reference ? candidate : reference;
+      std::ranges::move(doubts_of_readings(resting_with(*one, other)),
+                        std::back_inserter(result.doubts));
+      if (one->readings.limits.step) result.in_steps.push_back(one->readings);
     }
   }
   const CommonSamples common = outside_gaps(candidate.series, all);

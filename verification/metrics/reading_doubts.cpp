@@ -26,13 +26,22 @@ void add_flat(const SensorReadings& of, const FlatExtreme& flat, const char* whi
 
 }  // namespace
 
-std::vector<std::string> flat_doubts(const SensorReadings& of) {
+std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
   std::vector<std::string> doubts;
-  const auto& [range, step, highest, lowest] = of.limits;
+  const auto& [range, step, highest, lowest, sparse] = of.limits;
   // A pressure rests at its lowest value alone.
   if (highest && (of.unit == "Pa" || !may_rest(*highest, of)))
     add_flat(of, *highest, "highest", doubts);
   if (lowest && !may_rest(*lowest, of)) add_flat(of, *lowest, "lowest", doubts);
+  if (sparse)
+    doubts.push_back(
+        sparse->held
+            ? fmt::format(
+                  "the {} holds each reading for {:.4g} s: a value is off by some {:.2g} {}",
+                  of.role, sparse->interval, sparse->hidden, of.unit)
+            : fmt::format("the {} follows straight lines between readings {:.4g} s apart, which "
+                          "cut off some {:.2g} {} of a crest",
+                          of.role, sparse->interval, sparse->hidden, of.unit));
   return doubts;
 }
 

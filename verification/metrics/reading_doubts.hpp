@@ -19,8 +19,9 @@ struct SensorReadings {
 };
 
 // "the candidate stays at its highest value, 0.01 m, from 1.2 to 1.4 s, which cuts off some 0.002
-// m"; empty where nothing is doubtful.
-std::vector<std::string> flat_doubts(const SensorReadings& of);
+// m", and that it holds each reading or follows straight lines between them; empty where nothing is
+// doubtful. Steps are told apart (step_doubt).
+std::vector<std::string> doubts_of_readings(const SensorReadings& of);
 
 // "the values of the candidate lie 0.01 m apart, 20 steps from the lowest to the highest: each may
 // be off by half a step". Requires a step.

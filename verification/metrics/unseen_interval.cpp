@@ -59,20 +59,10 @@ std::vector<std::size_t> intervals_of(const std::vector<double>& times,
   return places;
 }
 
-// Of more than 20000 intervals that of every k-th.
-double median_interval(const std::vector<double>& knots) {
-  const std::size_t stride = knots.size() / 20000 + 1;
-  std::vector<double> lengths;
-  for (std::size_t i = 1; i < knots.size(); i += stride) lengths.push_back(knots[i] - knots[i - 1]);
-  const auto middle = lengths.begin() + std::ssize(lengths) / 2;
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
-}
-
 // The places of the times that are not inside of intervals of more than so many median ones.
 std::vector<std::size_t> outside_long_intervals(const std::vector<double>& times, double medians,
                                                 const std::vector<double>& knots) {
-  const double longest = medians * median_interval(knots);
+  const double longest = medians * median_sample_interval(knots);
   const std::vector<std::size_t> places = intervals_of(times, knots);
   std::vector<std::size_t> outside;
   for (std::size_t i = 0; i < times.size(); ++i) {
@@ -86,7 +76,7 @@ std::vector<std::size_t> outside_long_intervals(const std::vector<double>& times
 std::optional<UnseenInterval> longest_gap(const std::vector<double>& knots,
                                           const std::vector<double>& times,
                                           const std::vector<double>& apart) {
-  const double median = median_interval(knots);
+  const double median = median_sample_interval(knots);
   double longest = least_gap * median;
   const std::vector<std::size_t> places = intervals_of(times, knots);
   std::optional<UnseenInterval> gap;
@@ -131,8 +121,9 @@ std::optional<UnseenInterval> unseen_interval(const TimeSeries& candidate,
 }
 
 std::optional<TimeWindow> longest_gap(const TimeSeries& series, double recorded_interval) {
-  double longest =
-      std::min(least_gap * median_interval(series.time), least_recorded_gap * recorded_interval);
+  constexpr double rounding = 1 + 1e-6;
+  double longest = rounding * std::min(least_gap * median_sample_interval(series.time),
+                                       least_recorded_gap * recorded_interval);
   std::optional<TimeWindow> gap;
   for (std::size_t i = 1; i < series.time.size(); ++i) {
     if (series.time[i] - series.time[i - 1] <= longest) continue;
@@ -144,7 +135,7 @@ std::optional<TimeWindow> longest_gap(const TimeSeries& series, double recorded_
 
 double covered_share(const TimeSeries& series, TimeWindow window) {
   const std::vector<double>& time = series.time;
-  const double length = window.end - window.begin, median = median_interval(time);
+  const double length = window.end - window.begin, median = median_sample_interval(time);
   const double longest = std::max(length / 10, 3 * median);
   double bare = 0;
   for (std::size_t i = 1; i < time.size(); ++i)

@@ -9,7 +9,6 @@
 #include "verification/case/shape/sensor_place.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/peers/motion_table.hpp"
-#include "verification/peers/run_block.hpp"
 #include "verification/peers/tank_file.hpp"
 #include "verification/peers/written_files.hpp"
 

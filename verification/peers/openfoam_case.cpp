@@ -9,7 +9,6 @@
 #include "openfoam_cases/geometry/tank_mesh.hpp"
 #include "openfoam_cases/write_case.hpp"
 #include "verification/peers/interfoam_tank.hpp"
-#include "verification/peers/run_block.hpp"
 #include "verification/peers/written_files.hpp"
 
 namespace slosh {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/peers/handed_case.hpp"
+#include "verification/peers/written_files.hpp"
 
 namespace slosh {
 

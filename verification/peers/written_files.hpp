@@ -6,9 +6,26 @@
 #include <vector>
 
 #include "verification/case/case_definition.hpp"
-#include "verification/peers/handed_case.hpp"
 
 namespace slosh {
+
+// The [[run]] table of a case file that takes the output of another code back as an external run.
+
+// Returns the table as TOML with a comment above it. Series of quantities that the case does not
+// compare are left out. Throws std::invalid_argument where none is left.
+std::string run_block(const std::string& name, const ExternalRun& external,
+                      const CaseDefinition& definition, const std::string& comment);
+
+// What the writers of cases for other codes are given.
+
+// A case, and what a code needs beside it.
+struct HandedCase {
+  const CaseDefinition& definition;
+  double spacing;                            // [m], of particles
+  int cells_x, cells_z;                      // of a mesh
+  std::filesystem::path place;               // absolute: where the directory will lie
+  std::filesystem::path openfoam_templates;  // what the case of interFoam is made of
+};
 
 void write_text(const std::filesystem::path& file, const std::string& text);
 // Makes it executable too.

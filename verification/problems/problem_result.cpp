@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "verification/files/content_hash.hpp"
+#include "verification/files/foreign/json_text.hpp"
 #include "verification/files/sealed_json.hpp"
 #include "verification/series/time_series.hpp"
 
@@ -137,7 +138,7 @@ ProblemResult read_problem_result(const std::filesystem::path& file) try {
     throw ResultError(file.string() + " is no problem's result of this version");
   return result_from(body);
 } catch (const json::exception& error) {
-  throw ResultError(file.string() + " is no problem's result: " + error.what());
+  throw ResultError(file.string() + " is no problem's result: " + words_of(error));
 }
 
 }  // namespace slosh

@@ -4,8 +4,8 @@
 //   <root>/<question>/<answer>.timings.json  costs of repeats (timings.hpp)
 //   <root>/<question>/<answer>.failure.json  why it failed when it was last tried (run_failure.hpp)
 //   <root>/<question>/<answer>.lock          held by whoever computes it
-//   <root>/costs.txt                         costs of runs beside their estimates
-//                                            (runs/cost_records.hpp)
+//   <root>/costs.txt                         costs of runs by their kind
+//                                            (runs/expected_cost.hpp)
 // Campaigns share the results that they have in common, and one that needs a result which another
 // is computing waits for it.
 #pragma once

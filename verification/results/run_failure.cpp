@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "verification/files/foreign/json_text.hpp"
 #include "verification/files/sealed_json.hpp"
 #include "verification/results/result_file.hpp"
 
@@ -35,7 +36,7 @@ std::optional<RunFailure> read_failure(const std::filesystem::path& file) try {
 } catch (const ResultError& error) {
   return RunFailure{"error", error.what(), "", ""};
 } catch (const nlohmann::json::exception& error) {
-  return RunFailure{"error", file.string() + ": " + error.what(), "", ""};
+  return RunFailure{"error", file.string() + ": " + words_of(error), "", ""};
 }
 
 }  // namespace slosh

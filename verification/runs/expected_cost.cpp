@@ -3,49 +3,88 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <variant>
 
+#include "verification/case/changed_input.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/runs/cost_model.hpp"
-#include "verification/runs/cost_records.hpp"
-#include "verification/runs/run_case.hpp"
+#include "verification/files/foreign/plain_file.hpp"
+#include "verification/files/protected_inputs.hpp"
+#include "verification/runs/sph_step.hpp"
 
 namespace slosh {
 namespace {
 
-constexpr double mebibyte = 1024 * 1024;
+std::filesystem::path file_of(const ResultStore& store) { return store.root() / "costs.txt"; }
 
-// The factors by which the model may be wrong. On a machine without recorded runs it is larger: the
-// same machine took twice as long crowded as idle.
-constexpr double of_known_machine = 1.5, of_unknown_machine = 2;
+// What a run computes, comparable between the runs of a kind alone.
+struct Size {
+  double elements = 0, steps = 0;  // 0: not known
+};
 
-// Nothing is known of what an external program does.
-bool can_be_modelled(const RunDefinition& run) {
-  return solver_kind(run).answered_with != AnsweredWith::user_program;
+Size size_of(const SphRun& sph, const CaseDefinition& definition, const RunDefinition& run) {
+  const std::optional<SphStep> step = sph_step(definition, run);
+  const double spacing = sph.surface_particle_spacing;
+  return {liquid_area(definition) / (spacing * spacing),
+          step ? definition.duration / step->between_samples : 0};
 }
 
-// The estimated memory is above that of any run measured on two-core machines.
-ExpectedCost estimate(const CaseDefinition& definition, const RunDefinition& run,
-                      const ResultStore& store) {
-  const std::optional<double> factor = machine_factor(solver_name(run), store);
-  ExpectedCost cost{.processor_time = factor.value_or(1) * modelled_time(definition, run),
-                    .wall_time = 0,
-                    .memory = 64 * mebibyte,
-                    .uncertainty = factor ? of_known_machine : of_unknown_machine};
-  if (const auto* sph = std::get_if<SphRun>(&run.solver)) {
-    cost.memory += 2048 * liquid_area(definition) / std::pow(sph->particle_spacing, 2);
-  } else if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver)) {
-    cost.memory += 128 * mebibyte + 8192 * number_of_cells(*mesh);
-    cost.cores = mesh->processes;
-  } else if (const auto* external = std::get_if<ExternalRun>(&run.solver)) {
-    cost.processor_time = cost.memory = cost.uncertainty = 0;
-    cost.cores = external->cores.value_or(1);
-    cost.own_limit = external->time_limit;
+// The step follows the size of a cell.
+Size size_of(const InterFoamRun& mesh, const CaseDefinition& definition, const RunDefinition&) {
+  return {number_of_cells(mesh), definition.duration * mesh.cells_x / definition.tank.length};
+}
+
+Size size_of(const PotentialRun& flow, const CaseDefinition& definition, const RunDefinition&) {
+  return {static_cast<double>(flow.nodes_x) * flow.nodes_z,
+          definition.duration / definition.sample_interval};
+}
+
+Size size_of(const LinearRun& linear, const CaseDefinition& definition, const RunDefinition&) {
+  return {static_cast<double>(linear.modes), definition.duration / definition.sample_interval};
+}
+
+Size size_of(const ExternalRun&, const CaseDefinition&, const RunDefinition&) { return {}; }
+
+// The others take the start of a process and the reading of a file.
+template <typename Solver>
+Size size_of(const Solver&, const CaseDefinition&, const RunDefinition&) {
+  return {1, 1};
+}
+
+Size size_of(const CaseDefinition& definition, const RunDefinition& run) {
+  const CaseDefinition solved = definition_solved_by(run, definition);
+  return std::visit([&](const auto& solver) { return size_of(solver, solved, run); }, run.solver);
+}
+
+struct CostRecord {
+  Size size;
+  double processor_time, memory;  // [s], [byte]
+};
+
+// Returns the newest record of the kind. A line is "ELEMENTS STEPS SECONDS BYTES KIND".
+std::optional<CostRecord> last_record(const std::string& kind, const ResultStore& store) {
+  std::optional<CostRecord> last;
+  if (!is_plain_file(file_of(store))) return last;  // a pipe would be waited for
+  std::ifstream file(file_of(store));
+  for (std::string line, name; std::getline(file, line);) {
+    std::istringstream words(line);
+    CostRecord one{};
+    words >> one.size.elements >> one.size.steps >> one.processor_time >> one.memory >> std::ws;
+    if (std::getline(words, name) && name == kind && one.size.elements > 0 && one.size.steps > 0)
+      last = one;
   }
+  return last;
+}
+
+// A smaller run is not expected to take less memory, much of which does not grow with the elements.
+void scale(ExpectedCost& cost, const CostRecord& record, const Size& size) {
+  const double elements = size.elements / record.size.elements;
+  cost.processor_time = record.processor_time * elements * size.steps / record.size.steps;
   cost.wall_time = cost.processor_time / cost.cores;
-  return cost;
+  cost.memory = record.memory * std::max(elements, 1.0);
 }
 
 // Writes two digits, or whole seconds.
@@ -57,38 +96,45 @@ std::string seconds_text(double seconds) {
 
 ExpectedCost expected_cost(const CaseDefinition& definition, const RunDefinition& run,
                            const std::string& key, const ResultStore& store) {
-  ExpectedCost cost = estimate(definition, run, store);
-  const auto earlier = store.newest_file(key, ".h5");
-  if (!earlier) return cost;
-  try {
-    const RunCost taken = read_result(*earlier).cost;
-    cost.processor_time = taken.core_seconds();
-    cost.wall_time = taken.wall_time;
-    cost.memory = taken.peak_memory;
-    cost.measured = true;
-    cost.uncertainty = 1;
-  } catch (const ResultError&) {  // the file is damaged and says nothing
+  ExpectedCost cost;
+  if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver)) cost.cores = mesh->processes;
+  if (const auto* external = std::get_if<ExternalRun>(&run.solver)) {
+    cost.cores = external->cores.value_or(1);
+    cost.own_limit = external->time_limit;
   }
+  if (const auto earlier = store.newest_file(key, ".h5")) try {
+      const RunCost taken = read_result(*earlier).cost;
+      cost.processor_time = taken.core_seconds();
+      cost.wall_time = taken.wall_time;
+      cost.memory = taken.peak_memory;
+      cost.measured = true;
+      return cost;
+    } catch (const ResultError&) {  // the file is damaged and says nothing
+    }
+  if (const auto record = last_record(work_family(run), store))
+    scale(cost, *record, size_of(definition, run));
   return cost;
 }
 
-void learn_cost(const RunResult& result, const CaseDefinition& definition, const RunDefinition& run,
-                const ResultStore& store) {
+void record_cost(const RunResult& result, const CaseDefinition& definition,
+                 const RunDefinition& run, const ResultStore& store) {
+  const std::filesystem::path file = file_of(store);
+  const Size size = size_of(definition, run);
   const bool ended_early = result.provenance.contains("left_range_because");
-  if (ended_early || !can_be_modelled(run)) return;
-  record_cost({.solver = solver_name(run),
-               .modelled = modelled_time(definition, run),
-               .taken = result.cost.core_seconds()},
-              store);
+  if (ended_early || !(size.elements * size.steps > 0)) return;
+  require_no_input(file);
+  if (std::filesystem::exists(file) && !is_plain_file(file)) return;
+  // A short line is one write, so that the lines of runs that end together do not mix.
+  std::ofstream(file, std::ios::app)
+      << fmt::format("{:.6g} {:.6g} {:.4g} {:.4g} {}\n", size.elements, size.steps,
+                     result.cost.core_seconds(), result.cost.peak_memory, work_family(run));
 }
 
 std::string cost_text(const ExpectedCost& cost) {
-  const double taken = cost.processor_time;
-  if (cost.measured) return fmt::format("{} core-seconds measured", seconds_text(taken));
-  if (cost.uncertainty == 0) return "core-seconds not known";
-  return fmt::format("about {} core-seconds, an estimate: {} to {}", seconds_text(taken),
-                     seconds_text(taken / cost.uncertainty),
-                     seconds_text(taken * cost.uncertainty));
+  const std::string taken = seconds_text(cost.processor_time);
+  if (cost.measured) return taken + " core-seconds measured";
+  return cost.known() ? fmt::format("about {} core-seconds, scaled from another run", taken)
+                      : "core-seconds not known";
 }
 
 double time_limit(const ExpectedCost& cost) {
@@ -96,8 +142,7 @@ double time_limit(const ExpectedCost& cost) {
   // The run's own limit ends it first, and says so; its version_command may take a minute before.
   constexpr double beyond_own = 120;  // [s]
   if (cost.own_limit) return std::max(shortest, *cost.own_limit + beyond_own);
-  const bool unknown = !cost.measured && cost.uncertainty == 0;
-  return unknown ? of_unknown : std::max(shortest, 20 * cost.wall_time);
+  return cost.measured || cost.known() ? std::max(shortest, 20 * cost.wall_time) : of_unknown;
 }
 
 }  // namespace slosh

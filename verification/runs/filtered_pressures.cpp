@@ -64,9 +64,7 @@ std::vector<std::string> add_filtered_pressures(const CaseDefinition& definition
 void raise_dry_gauges(const CaseDefinition& definition, const RunDefinition& run,
                       RunResult& result) {
   if (!solver_kind(run).solves_flow) return;
-  const bool has_own_inputs = run.at_input || !run.drawn_inputs.empty();
-  const double depth = has_own_inputs ? definition_solved_by(run, definition).liquid.fill_depth
-                                      : definition.liquid.fill_depth;
+  const double depth = definition_solved_by(run, definition).liquid.fill_depth;
   for (const GaugeDefinition& gauge : definition.gauges) {
     const double floor = floor_at(definition.tank, gauge.x) - depth;
     for (TimeSeries& series : result.series) {

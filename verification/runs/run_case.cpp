@@ -11,7 +11,7 @@
 #include "openfoam_cases/errors.hpp"
 #include "sph/simulation.hpp"
 #include "verification/case/changed_input.hpp"
-#include "verification/case/inputs/drawn_inputs.hpp"
+#include "verification/case/ensemble.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/results/provenance.hpp"
@@ -48,8 +48,8 @@ void require_whole(const TimeSeries& series, const CaseDefinition& definition) {
   }
 }
 
-// What the solvers write beside the result, or remove before they begin. The user may have named
-// the directory of the result by a link, but none below it.
+// What the solvers write beside the result. The user may have named the directory of the result by
+// a link, but none below it.
 std::vector<std::filesystem::path> places_of(const RunRequest& request) {
   const RunSettings& settings = request.settings;
   if (settings.work_directory.empty()) return {};
@@ -59,11 +59,18 @@ std::vector<std::filesystem::path> places_of(const RunRequest& request) {
   const AnsweredWith kind = solver_kind(request.run).answered_with;
   std::vector<const char*> endings;
   if (kind == AnsweredWith::openfoam) endings = {".openfoam"};
-  if (kind == AnsweredWith::user_program) endings = {".external", ".external.log", ".version.log"};
+  if (kind == AnsweredWith::user_program) endings = {".external.log", ".version.log"};
   if (settings.snapshot_interval != 0 || settings.state_interval != 0)
     endings = {".snapshots.h5", ".snapshots.xmf", ".state.h5", ".last_good.h5"};
   std::vector<std::filesystem::path> places;
-  for (const char* ending : endings) places.push_back(work / (request.run.name + ending));
+  std::error_code absent;
+  for (const char* ending : endings)
+    // A run that goes on from a state may save another one there.
+    if (const auto place = work / (request.run.name + ending);
+        settings.resume.empty() || !std::filesystem::equivalent(settings.resume, place, absent))
+      places.push_back(place);
+  // Nobody can tell what a program leaves there from what its user puts there: it is never listed.
+  if (kind == AnsweredWith::user_program) make_room(work / (request.run.name + ".external"));
   return places;
 }
 

@@ -1,5 +1,8 @@
 #include "verification/runs/run_key.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -11,6 +14,7 @@
 #include "verification/files/content_hash.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/runs/run_case.hpp"
+#include "verification/solvers/external/shared_libraries.hpp"
 #include "verification/solvers/external_command.hpp"
 
 namespace slosh {
@@ -118,6 +122,17 @@ const std::string& openfoam_version() {
   return version;
 }
 
+// Of an external or a stored run: the files whose content is part of its key.
+std::vector<fs::path> files_of(const RunDefinition& run, const CaseDefinition& definition) {
+  if (const auto* stored = std::get_if<StoredRun>(&run.solver)) return stored_files(*stored);
+  const auto* external = std::get_if<ExternalRun>(&run.solver);
+  if (!external) return {};
+  std::vector<fs::path> files{external_program(*external, definition)};
+  for (InputFile& input : external_inputs(*external, definition)) files.push_back(input.file);
+  std::ranges::move(own_libraries(*external, definition), std::back_inserter(files));
+  return files;
+}
+
 // Adds all that determines the answer except an external run's program.
 void add_answer(ContentHash& answer, const std::string& solver, const fs::path& builds,
                 const fs::path& openfoam_templates) {
@@ -130,16 +145,36 @@ void add_answer(ContentHash& answer, const std::string& solver, const fs::path& 
 
 }  // namespace
 
+std::string from_case_file(const fs::path& case_file, const fs::path& file) {
+  const fs::path here = fs::current_path();
+  return (here / file)
+      .lexically_normal()
+      .lexically_relative((here / case_file).lexically_normal().parent_path())
+      .generic_string();
+}
+
+std::map<fs::path, std::string> files_read_by(const RunDefinition& run,
+                                              const CaseDefinition& definition) {
+  std::map<fs::path, std::string> contents;
+  for (const fs::path& file : files_of(run, definition))
+    if (fs::is_regular_file(file)) contents[file] = content_hash(read_bytes(file));
+  return contents;
+}
+
+void require_unchanged(const std::map<fs::path, std::string>& contents) {
+  for (const auto& [file, hash] : contents)
+    if (!fs::is_regular_file(file) || content_hash(read_bytes(file)) != hash)
+      throw SolverError(fmt::format(
+          "{} changed while the run went on, so that it is not known which of its contents it "
+          "read: expected a file that stays; what a program writes belongs in {{work_directory}}",
+          file.string()));
+}
+
 void protect_inputs(const CaseDefinition& definition, const RunDefinition& run) {
-  std::vector<fs::path> files;
-  if (const auto* external = std::get_if<ExternalRun>(&run.solver)) {
-    for (const InputFile& input : external_inputs(*external, definition))
-      files.push_back(input.file);
-    files.push_back(external_program(*external, definition));
+  std::vector<fs::path> files = files_of(run, definition);
+  if (const auto* external = std::get_if<ExternalRun>(&run.solver))
     for (const std::string& program : version_command(*external, definition, ""))
       if (fs::is_regular_file(program)) files.push_back(program);
-  }
-  if (const auto* stored = std::get_if<StoredRun>(&run.solver)) files = stored_files(*stored);
   for (const fs::path& file : files) protect_input(file);
 }
 
@@ -155,6 +190,8 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
   if (solver_kind(run).solves_flow) asked["snapshot_times"] = field_times(definition);
   const auto* external = std::get_if<ExternalRun>(&run.solver);
   if (external || is_stored(run)) asked["inputs"] = json::array();
+  if (external && !external->directory.empty())
+    asked["directory"] = from_case_file(definition.file, external->directory);
   if (external)
     for (const auto& [name, file] : external_inputs(*external, definition))
       asked["inputs"].push_back(content(name, file));
@@ -166,6 +203,7 @@ std::string run_key(const CaseDefinition& definition, const RunDefinition& run,
   if (external) {
     const std::filesystem::path program = external_program(*external, definition);
     if (!program.empty()) answer.add_file(program);
+    for (const fs::path& library : own_libraries(*external, definition)) answer.add_file(library);
   }
   return question.digits() + "-" + answer.digits();
 }

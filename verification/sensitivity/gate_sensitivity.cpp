@@ -14,11 +14,12 @@
 namespace slosh {
 namespace {
 
-SpoilingFrame frame_of(const CaseDefinition& definition, const GateRow& row) {
+SpoilingFrame frame_of(const CaseDefinition& of, const GateRow& row) {
+  const CaseDefinition definition = judged_over(row, of);
   const bool has_reference = !row.reference.empty() && !is_of_impacts(row.metric);
-  const auto [begin, end] = judged_time(row, definition);
-  const TimeWindow window = has_reference ? compared_window({begin, end}, definition, row.reference)
-                                          : TimeWindow{begin, end};
+  const TimeWindow window = has_reference
+                                ? compared_window(definition, row.reference)
+                                : TimeWindow{definition.window_begin, definition.window_end};
   SpoilingFrame frame{window, window.end - window.begin, datum_of(definition, row.quantity)};
   const std::vector<ToneRequest> modes = fitted_modes(definition);
   if (modes.empty()) return frame;
@@ -51,6 +52,7 @@ FittedComparisons without(const std::vector<std::string>& runs, FittedComparison
 CaseRuns with_spoiled(const CaseAssessment& assessment, const GateRow& row, Spoiling spoiling,
                       const SpoilingFrame& frame) {
   CaseRuns runs{assessment.runs.status, {}, assessment.runs.timings};
+  if (is_of_band(row.metric)) runs.input_bounds = assessment.runs.input_bounds;
   for (const auto& [run, result] : assessment.runs.results)
     runs.results[run] = judged_part(result, row.quantity);
   for (const std::string& member : members_of(assessment.definition, row.candidate))

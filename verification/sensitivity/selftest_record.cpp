@@ -71,7 +71,7 @@ SelftestRecord read_selftest_record(const fs::path& file) {
     for (const Json& one : content.at("cases")) record.cases.push_back(coverage_from(one));
     return record;
   } catch (const Json::exception& error) {
-    throw SelftestRecordError(file.string() + ": not a record of a self-test: " + error.what());
+    throw SelftestRecordError(file.string() + ": not a record of a self-test: " + words_of(error));
   }
 }
 

@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "verification/series/sample_moments.hpp"
+#include "verification/series/windowed_series.hpp"
+
 namespace slosh {
 namespace {
 
@@ -16,6 +19,8 @@ constexpr double least_hidden = 0.015;                            // of the rang
 constexpr double bands[] = {1e-3, 3e-3, 0.01, 0.02, 0.04, 0.08};  // of the range
 constexpr double most_of_round = 0.2;  // of what a round crest falls by inside
 constexpr double standard_errors = 2.5;
+constexpr double same_line = 1e-5;  // of the range, by rounding
+constexpr std::size_t fewest_readings = 6;
 constexpr std::size_t most_sampled = 20000, fewest_in_flat = 3, fewest_fitted = 6;
 
 // The values that are read more than once, in order; empty where too few samples have them.
@@ -98,13 +103,12 @@ std::optional<Top> top_of(const TimeSeries& series, double band, std::size_t fir
   const double begin = (time[first - 1] + time[first]) / 2, end = (time[last] + time[last + 1]) / 2,
                half = (end - begin) / 2;
   if (begin - half <= time.front() || end + half >= time.back()) return std::nullopt;
-  std::vector<double> inside(series.value.begin() + static_cast<std::ptrdiff_t>(first),
-                             series.value.begin() + static_cast<std::ptrdiff_t>(last + 1));
-  const auto middle = inside.begin() + static_cast<std::ptrdiff_t>(inside.size() / 2);
-  std::nth_element(inside.begin(), middle, inside.end());
-  const double drop = std::min(std::abs(value_at(series, begin - half) - *middle),
-                               std::abs(value_at(series, end + half) - *middle));
-  Top top{{*middle, begin, end, drop / 3}, 0, 0};
+  const std::vector<double> inside(series.value.begin() + static_cast<std::ptrdiff_t>(first),
+                                   series.value.begin() + static_cast<std::ptrdiff_t>(last + 1));
+  const double middle = median(inside);
+  const double drop = std::min(std::abs(value_at(series, begin - half) - middle),
+                               std::abs(value_at(series, end + half) - middle));
+  Top top{{middle, begin, end, drop / 3}, 0, 0};
   fit_parabola(series, first, last, band, top);
   return top;
 }
@@ -137,6 +141,45 @@ std::optional<FlatExtreme> flat_extreme(const TimeSeries& series, double extreme
   return std::nullopt;
 }
 
+// The samples from which on the values move by another slope, and by how much it differs.
+struct Knots {
+  std::vector<double> interval, turn;
+};
+
+// Of straight lines, or of the values themselves where these are held.
+Knots knots_of(const TimeSeries& series, double range, bool held) {
+  const std::vector<double>&time = series.time, &value = series.value;
+  Knots knots;
+  double last = 0;
+  bool is_first = true;
+  for (std::size_t i = 1; i + 1 < value.size(); ++i) {
+    const double before = held ? 0 : (value[i] - value[i - 1]) / (time[i] - time[i - 1]);
+    const double step = time[i + 1] - time[i];
+    const double left = value[i + 1] - value[i] - before * step;  // by which it leaves the line
+    if (std::abs(left) <= same_line * range) continue;
+    if (!is_first) {
+      knots.interval.push_back(time[i] - last);
+      knots.turn.push_back(std::abs(left) / (held ? 1 : step));
+    }
+    last = time[i];
+    is_first = false;
+  }
+  return knots;
+}
+
+std::optional<SparseReadings> sparse_readings(const TimeSeries& series, double range) {
+  for (const bool held : {true, false}) {
+    const Knots knots = knots_of(series, range, held);
+    if (knots.interval.size() < fewest_readings) continue;
+    const double interval = median(knots.interval);
+    const double turn = median(knots.turn);
+    const double hidden = held ? turn / 2 : turn * interval / 8;
+    if (interval >= 1.5 * median_sample_interval(series.time) && hidden >= least_hidden * range)
+      return SparseReadings{held, interval, hidden};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 SensorLimits sensor_limits(const TimeSeries& cut) {
@@ -146,7 +189,8 @@ SensorLimits sensor_limits(const TimeSeries& cut) {
   if (!(range > 0)) return {};
   const std::optional<double> step = step_of(cut.value);
   return {range, step, flat_extreme(cut, *high, range, step.value_or(0)),
-          flat_extreme(cut, *low, range, step.value_or(0))};
+          flat_extreme(cut, *low, range, step.value_or(0)),
+          step ? std::nullopt : sparse_readings(cut, range)};
 }
 
 }  // namespace slosh

@@ -20,6 +20,14 @@
 // 1 % of the range and in no steps or 10 to 98, five are told. Noise of 0.2 % shows a crest that is
 // cut by 6 % of the amplitude, that of 0.5 % one by 20 %, that of 1 % one by 30 %
 // (sensor_limits_test.cpp).
+//
+// Sparse readings: a program or a logger writes more samples than it has readings, and holds each
+// reading or joins them by straight lines. The interval T of the readings is the median time
+// between two samples where the series leaves the line through its last two samples by more than
+// 1e-5 of the range. A held reading is off by half the jump to the next one in the mean. A line
+// hides a crest of height T |change of slope| / 8. Either is told where its median is 1.5 % of the
+// range or more: a lag of 2.5 degrees, or 3 % of a sine's amplitude. A crest that is cut off and
+// filtered afterwards is not seen.
 #pragma once
 
 #include <optional>
@@ -34,10 +42,17 @@ struct FlatExtreme {
   double hidden;      // the height cut off there
 };
 
+struct SparseReadings {
+  bool held;        // otherwise joined by straight lines
+  double interval;  // from reading to reading [s]
+  double hidden;    // by which a held value is off in the mean, or a crest is cut off
+};
+
 struct SensorLimits {
   double range = 0;  // from the lowest to the highest value
   std::optional<double> step;
   std::optional<FlatExtreme> highest, lowest;
+  std::optional<SparseReadings> sparse = {};
 };
 
 // Requires a series that cut_to_window() has checked. Of more than 20000 samples every k-th serves

@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <boost/math/interpolators/makima.hpp>
 #include <cmath>
+#include <utility>
+#include <vector>
+
+#include "verification/series/sample_moments.hpp"
 
 namespace slosh {
 namespace {
@@ -69,6 +73,14 @@ TimeSeries cut_to_window(const TimeSeries& series, TimeWindow window) {
           .unit = series.unit,
           .time = {first, last},
           .value = {value_at(first), value_at(last)}};
+}
+
+double median_sample_interval(const std::vector<double>& times) {
+  const std::size_t stride = times.size() / 20000 + 1;
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < times.size(); i += stride)
+    intervals.push_back(times[i] - times[i - 1]);
+  return median(std::move(intervals));
 }
 
 bool is_constant(const TimeSeries& series) {

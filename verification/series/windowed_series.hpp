@@ -17,6 +17,10 @@ namespace slosh {
 // samples lie inside.
 TimeSeries cut_to_window(const TimeSeries& series, TimeWindow window);
 
+// The median time between two neighbours of at least two times [s]. Of more than 20000 every k-th
+// interval counts.
+double median_sample_interval(const std::vector<double>& times);
+
 // Whether a checked series is constant to rounding.
 bool is_constant(const TimeSeries& series);
 

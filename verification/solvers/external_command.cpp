@@ -4,11 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <boost/process/search_path.hpp>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
+#include "verification/files/child_process.hpp"
 #include "verification/input/nearest_name.hpp"
 #include "verification/peers/tank_file.hpp"
 
@@ -89,7 +89,7 @@ std::vector<std::string> texts_of(const std::string& argument) {
 // Returns the file of a command's first word.
 fs::path program_of(const std::string& name, const ExternalRun& external,
                     const CaseDefinition& definition) {
-  if (name.find('/') == name.npos) return fs::path(boost::process::search_path(name).string());
+  if (name.find('/') == name.npos) return program_on_path(name);
   const fs::path directory = fs::absolute(definition.file).parent_path();
   const fs::path file =
       directory / filled_in("command", name, placeholders(external, definition, ""));

@@ -35,7 +35,7 @@ json read_object(const fs::path& file) {
     if (!document.is_object()) throw CaseFileError(file.string() + ": expected a JSON object");
     return document;
   } catch (const json::exception& error) {
-    throw CaseFileError(fmt::format("{}: not JSON: {}", file.string(), error.what()));
+    throw CaseFileError(fmt::format("{}: not JSON: {}", file.string(), words_of(error)));
   } catch (const fs::filesystem_error& error) {
     throw CaseFileError(error.what());
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 #include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/legible_text.hpp"
@@ -85,7 +86,11 @@ std::string program_version(const ExternalRun& external, const CaseDefinition& d
                .directory = external.directory.empty() ? work_directory : external.directory,
                .log = log,
                .time_limit = longest});
-  std::ifstream stream(log);
+  std::string head(10'000, '\0');
+  std::ifstream file(log);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  std::istringstream stream(head);
   for (std::string line; std::getline(stream, line);)
     if (!trimmed(line).empty()) return legible_message(trimmed(line));
   throw program_failure("version_command: expected a line of output", log);
@@ -119,7 +124,7 @@ RunResult run_solver(const ExternalRun& external, const RunRequest& request) {
   const fs::path directory = work / (request.run.name + ".external");
   const fs::path log = work / (request.run.name + ".external.log");
   const fs::path version_log = work / (request.run.name + ".version.log");
-  // An earlier run may have left files, and anything in the place of its logs.
+  // What an earlier run may have left and nobody has touched; all else is set aside (run_case.cpp).
   for (const fs::path& left : {directory, log, version_log}) fs::remove_all(left);
   fs::create_directories(directory);
   const std::vector<std::string> command =

@@ -32,7 +32,7 @@ TEST_F(ExternalRun, PassesTheGateWhereItIsRightToAPerCent) {
   const Ended ended = campaign_of("\"scaled\", \"1.01\"");
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
   EXPECT_TRUE(holds(report_words(), "external program stand_in_solver"));
-  EXPECT_NE(read("out/report/results.json").find("\"solver\": \"external\""), std::string::npos);
+  EXPECT_TRUE(holds(read("out/report/results.json"), "\"solver\": \"external\""));
 }
 
 // What a script loads is a part of the run where `inputs` names it, and a doubt where nothing does.
@@ -59,7 +59,7 @@ TEST_F(ExternalRun, IsComputedAgainWhereAModuleOfItsScriptChanges) {
   write_campaign(script(""));
   EXPECT_EQ(campaign().status, 0);
   EXPECT_TRUE(holds(report_words(), doubt));
-  EXPECT_TRUE(holds(tool({"check", "./small.toml"}).out, doubt));
+  EXPECT_TRUE(holds(typed("check ./small.toml").out, doubt));
 }
 
 // Three spacings of a program whose error falls with their square.
@@ -158,7 +158,7 @@ TEST_F(ExternalRun, IsShownUnderTheVersionThatItTells) {
   EXPECT_EQ(origin.at("external_version"), "My SPH 2.1");
   EXPECT_FALSE(origin.contains("compiler")) << "which compiled Slosh";
   // The campaign names the case ./small.toml and is itself ./surges.toml.
-  EXPECT_EQ(origin.at("external_command").get<std::string>().find("/./"), std::string::npos);
+  EXPECT_FALSE(holds(origin.at("external_command").get<std::string>(), "/./"));
   EXPECT_FALSE(holds(read("out/report/results.json"), "././"));
   EXPECT_TRUE(holds(report_words(), "|mine|My SPH 2.1, started by Slosh "));
   EXPECT_EQ(campaign_of("\"scaled\", \"1\"").status, 0);
@@ -237,9 +237,7 @@ TEST_F(ExternalRun, FailsWithItsLastWordsWhereItExitsWithAnError) {
   const Ended ended = campaign_of("\"fails\"");
   EXPECT_EQ(ended.status, 3);
   EXPECT_EQ(log(), "the Courant number is too large\n");
-  EXPECT_NE(ended.out.find("exit status 7; its last words: the Courant number is too large"),
-            std::string::npos)
-      << ended.out;
+  EXPECT_TRUE(holds(ended.out, "exit status 7; its last words: the Courant number is too large"));
 }
 
 // What it said is kept beside where its result would lie, told again by a later report, and gone
@@ -262,7 +260,7 @@ TEST_F(ExternalRun, LeavesWhyItFailedAsDataUntilItSucceeds) {
   EXPECT_TRUE(holds(failure.at("message"), "exit status 7; its last words: two"));
   EXPECT_EQ(failure.at("details"), "one\ntwo");
   EXPECT_EQ(read(failure.at("log").get<std::string>()), "one\ntwo\n");
-  const Ended report = tool({"report", "./surges.toml", "--output", "out"});
+  const Ended report = typed("report ./surges.toml --output out");
   EXPECT_EQ(report.status, 3) << report.err;
   EXPECT_TRUE(holds(report.err, "    one\n    two\n"));
   std::filesystem::remove(directory() / "licence_expired");
@@ -273,9 +271,7 @@ TEST_F(ExternalRun, LeavesWhyItFailedAsDataUntilItSucceeds) {
 TEST_F(ExternalRun, IsEndedWhenItsTimeIsOver) {
   const Ended ended = campaign_of("\"sleeps\"", "time_limit_s = 0.3\n");
   EXPECT_EQ(ended.status, 3);
-  EXPECT_NE(ended.out.find("did not end within its time_limit_s = 0.3; it said nothing"),
-            std::string::npos)
-      << ended.out;
+  EXPECT_TRUE(holds(ended.out, "did not end within its time_limit_s = 0.3; it said nothing"));
 }
 
 TEST_F(ExternalRun, IsKeptUntilItsProgramsInputsOrArgumentsChange) {
@@ -291,6 +287,20 @@ TEST_F(ExternalRun, IsKeptUntilItsProgramsInputsOrArgumentsChange) {
   EXPECT_GT(second, first);
   EXPECT_EQ(campaign_of("\"scaled\", \"1.02\"", inputs).status, 0);
   EXPECT_GT(std::filesystem::last_write_time(result("mine")), second);
+}
+
+// Its result would be kept under the key of the content that was there before.
+TEST_F(ExternalRun, FailsWhereAnInputChangesWhileItRuns) {
+  write("numbers.txt", "1\n");
+  write("solve.sh", "echo 2 > \"$1\"\nshift\nexec \"$@\"\n");
+  write_campaign(with(own_case("\"scaled\", \"1.01\""), "[\"" STAND_IN_SOLVER "\"",
+                      "[\"sh\", \"{case_directory}/solve.sh\", \"{case_directory}/numbers.txt\", "
+                      "\"" STAND_IN_SOLVER "\""));
+  const Ended ended = campaign();
+  EXPECT_EQ(ended.status, 3) << ended.out;
+  EXPECT_NE(ended.out.find("numbers.txt changed while the run went on"), std::string::npos)
+      << ended.out;
+  EXPECT_EQ(campaign().status, 0) << "now it writes what is there already";
 }
 
 TEST_F(ExternalRun, IsRepeatedWhereAnArgumentThatIsAFileHasChanged) {
@@ -317,7 +327,7 @@ TEST_F(ExternalRun, IsRefusedBeforeAnythingRunsWhereItsCaseIsWrong) {
     return ended.err;
   };
   const auto expect_words = [](const std::string& text, const std::string& words) {
-    EXPECT_NE(text.find(words), std::string::npos) << text;
+    EXPECT_TRUE(holds(text, words));
   };
   expect_words(complaint("format = \"csv\"", "format = \"cvs\""),
                "run mine: format = cvs: expected one of csv");
@@ -341,13 +351,12 @@ TEST_F(ExternalRun, WithoutItsProgramFailsButIsStillReportedOn) {
   std::filesystem::copy_file(STAND_IN_SOLVER, directory() / "solve");
   EXPECT_EQ(campaign().status, 0);
   std::filesystem::remove(directory() / "solve");
-  EXPECT_EQ(tool({"report", "./surges.toml", "--output", "out"}).status, 0);
+  EXPECT_EQ(typed("report ./surges.toml --output out").status, 0);
   const Ended ended = campaign();
   EXPECT_EQ(ended.status, 3);
-  EXPECT_NE(ended.out.find("command: ./solve: expected a program relative to the case file or on "
-                           "the PATH; there is none"),
-            std::string::npos)
-      << ended.out;
+  EXPECT_TRUE(holds(ended.out,
+                    "command: ./solve: expected a program relative to the case file or on "
+                    "the PATH; there is none"));
 }
 
 // What the program starts in turn goes with it.
@@ -385,7 +394,7 @@ TEST_F(ExternalRun, LeavesNoDetachedProcessBehind) {
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
   const int sleeper = std::stoi(read("child"));
   const std::string command = read("/proc/" + std::to_string(sleeper) + "/cmdline");
-  EXPECT_EQ(command.find("sleep"), std::string::npos) << "the detached process still runs";
+  EXPECT_FALSE(holds(command, "sleep")) << "the detached process still runs";
 }
 
 }  // namespace

@@ -1,8 +1,12 @@
 // What a verdict rests on: a failure that was recorded, the results of the right keys, rows that
 // the baseline knows. Each test does what somebody might, by mistake or on purpose, to pass a gate.
+#include <signal.h>
+#include <unistd.h>
+
 #include <fstream>
 
 #include "verification/results/result_file.hpp"
+#include "verification/tests/comes_true.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh::gate_verdict_test {
@@ -133,6 +137,25 @@ TEST_F(GateVerdict, ComesAfterReferencesThatWereReadBeforeAnyProgramRan) {
   write_program("test -n \"$(find '" + store().string() + "' -name '*.h5')\" || exit 9\nexec \"" +
                 STAND_IN_SOLVER + "\" \"$@\"\n");
   EXPECT_EQ(campaign().status, 0);
+}
+
+// Whoever ends a start on a part of the campaign does not know whether the rest still holds.
+TEST_F(GateVerdict, OfTheWholeDoesNotOutliveASelectionThatWasEnded) {
+  const fs::path started = directory() / "started";
+  for (const int signal : {SIGTERM, SIGKILL}) {
+    write_program(std::string("exec \"") + STAND_IN_SOLVER + "\" \"$@\"\n");
+    ASSERT_EQ(tool({"gate", "./surges.toml", "-o", "out"}).status, 0);
+    ASSERT_EQ(tool({"gate", "./surges.toml", "-o", "out", "--only", "small"}).status, 0);
+    EXPECT_TRUE(holds(gate_md(), "PASS")) << "a selection that passes leaves it";
+    fs::remove(started);
+    write_program("touch '" + started.string() + "'\nsleep 60\n");
+    auto child = start_tool({"gate", "./surges.toml", "-o", "out", "--only", "small"});
+    ASSERT_TRUE(comes_true([&] { return fs::exists(started); }, patience));
+    kill(child.id(), signal);
+    end_of(std::move(child));
+    EXPECT_FALSE(holds(gate_md(), "PASS")) << signal;
+    EXPECT_TRUE(holds(junit(), "<error")) << signal;
+  }
 }
 
 TEST_F(GateVerdict, IsNotTakenFromAFileOfAnEarlierStart) {
@@ -353,10 +376,13 @@ class EarlierVerdict : public GateVerdict {
   Ended all() const { return tool({"report", "--all", "-o", "all"}); }
   std::string page() const { return read(place + "/report/index.html"); }
   std::string gate_page() const { return read(place + "/gate/gate.md"); }
-  void expect_no_pass(const std::string& why) const {
+  void expect_no_report(const std::string& why) const {
     EXPECT_FALSE(holds(page(), "Pass</strong>")) << why;
-    EXPECT_FALSE(holds(gate_page(), "PASS")) << why;
     EXPECT_NE(all().status, 0) << why;
+  }
+  void expect_no_pass(const std::string& why) const {
+    expect_no_report(why);
+    EXPECT_FALSE(holds(gate_page(), "PASS")) << why;
   }
   const std::string place = "all/surges";
 };
@@ -399,6 +425,93 @@ TEST_F(EarlierVerdict, OutlivesNoStartThatEndsEarly) {
   pass_both();
   EXPECT_EQ(tool({"gate", "--help"}).status, 0);
   EXPECT_TRUE(holds(gate_page(), "PASS"));
+}
+
+// The lists are lost, as in an artefact without hidden files, or a document is edited, or where it
+// cannot be replaced.
+TEST_F(EarlierVerdict, OutlivesNoStartWhateverBecameOfItsFiles) {
+  ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", place}).status, 0);
+  const fs::path there = directory() / place;
+  const auto fails_with = [&](int status, const char* why) {
+    write_campaign(with(own_case, "limit = 0.05", "limit = 0.001"));
+    for (int i = 0; i < 2; ++i) {
+      const Ended ended = tool({"gate", "./surges.toml", "-o", place});
+      EXPECT_EQ(ended.status, status) << why << ended.err;
+      expect_no_report(why);
+    }
+  };
+  pass_both();
+  for (const char* list : {"gate/.slosh", "report/.slosh"}) fs::remove(there / list);
+  fails_with(1, "no list");
+  expect_no_pass("no list");
+  EXPECT_TRUE(holds(read(place + "/gate/gate.md.kept-1"), "PASS"));
+  pass_both();
+  for (const char* list : {"gate/.slosh", "report/.slosh"}) fs::remove(there / list);
+  EXPECT_EQ(tool({"gate", "./surges.toml", "-o", place, "--only", "nosuch"}).status, 2);
+  expect_no_pass("no list, a mistake");
+  pass_both();
+  std::ofstream(there / "gate/gate.md", std::ios::app) << "\n";
+  fails_with(1, "edited");
+  expect_no_pass("edited");
+  pass_both();
+  fs::rename(there / "gate", there / "away");
+  fs::create_directory_symlink("away", there / "gate");
+  fails_with(4, "a link");
+  EXPECT_TRUE(holds(tool({"gate", "./surges.toml", "-o", place}).err,
+                    "an earlier verdict stays, remove it"));
+}
+
+TEST_F(EarlierVerdict, GivesWayToOneThatCannotBePrinted) {
+  ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", place}).status, 0);
+  for (const char* command : {"gate", "campaign"}) {
+    pass_both();
+    write_campaign(with(own_case, "limit = 0.05", "limit = 0.001"));
+    const Ended full =
+        end_of(start("/bin/sh", {"-c", "\"$0\" \"$1\" ./surges.toml -o \"$2\" >/dev/full",
+                                 SLOSH_TOOL, command, place}));
+    EXPECT_EQ(full.status, 1) << command << full.err;
+    EXPECT_TRUE(holds(full.err, "standard output"));
+    expect_no_pass(command);
+    EXPECT_EQ(all().status, 1) << command;
+    EXPECT_TRUE(holds(gate_page(), "exit status 1 -->")) << command;
+  }
+}
+
+TEST_F(EarlierVerdict, SaysTheExitStatusOfItsProcess) {
+  write_campaign(small_case + own_run + own_row("amplitude_error", "0.01"));
+  const auto expect_told = [&](std::vector<std::string> words, int status) {
+    words.insert(words.begin() + 1, {"./surges.toml", "-o", place});
+    EXPECT_EQ(tool(words).status, status);
+    const std::string told = "exit status " + std::to_string(status) + " -->";
+    for (const char* file : {"/gate/gate.md", "/gate/junit.xml"})
+      EXPECT_TRUE(holds(read(place + file), told)) << words.back();
+  };
+  expect_told({"gate"}, 5);
+  expect_told({"gate", "--inconclusive-exit", "42"}, 42);
+  expect_told({"gate", "--inconclusive-exit", "0"}, 0);
+  expect_told({"campaign", "--inconclusive-exit", "0"}, 0);
+  expect_told({"gate", "--nosuch"}, 2);
+  expect_told({"gate", "--only", "nosuch"}, 2);
+}
+
+// The second start waits for the first, and does not put back what stood there in between.
+TEST_F(EarlierVerdict, OfTwoStartsAtOnceIsTheirOwn) {
+  write_program(std::string("sleep 2\nexec \"") + STAND_IN_SOLVER + "\" \"$@\"\n");
+  for (const char* second : {"campaign", "report", "gate"}) {
+    fs::remove_all(store());
+    auto gate = start(SLOSH_TOOL, {"gate", "./surges.toml", "-o", place});
+    for (int i = 0; i < 1000 && !fs::exists(directory() / place / "jobs"); ++i) ::usleep(10'000);
+    ::usleep(500'000);
+    const Ended other = tool({second, "./surges.toml", "-o", place});
+    gate.wait();
+    EXPECT_EQ(gate.exit_code(), 0) << second;
+    EXPECT_EQ(other.status, 0) << second << other.err;
+    EXPECT_TRUE(holds(gate_page(), "PASS")) << second;
+    if (second != std::string("gate")) {
+      EXPECT_TRUE(holds(page(), "Pass</strong>")) << second;
+    }
+    fs::remove_all(directory() / place);
+  }
 }
 
 // Two outputs, an output behind "=", a misspelt option, and the campaign behind "--".
@@ -451,7 +564,7 @@ TEST_F(EarlierVerdict, IsReadAsItIsWritten) {
        {"0.5", "4294967296", "1,\n  \"exit_status\": 0", "-1", "true", "\"0\""}) {
     write(place + "/report/results.json",
           with(data, "\"exit_status\": 0", "\"exit_status\": " + std::string(status)));
-    EXPECT_EQ(all().status, 2) << status << ": no campaign is left";
+    EXPECT_EQ(all().status, 4) << status << ": no campaign is left";
   }
 }
 

@@ -20,67 +20,40 @@ using Words = std::vector<std::string>;
 // A command whose output goes to the place. Where it writes into a directory, `file` is the one
 // there that goes to the place.
 struct Output {
+  Output(const char* name, const std::string& line, const char* file, const char* ending,
+         const std::string& inputs)
+      : name(name), words(words_of(line)), file(file), ending(ending), inputs(words_of(inputs)) {}
   const char* name;
   Words words;  // "PLACE" stands for the place, or for the directory
   std::string file, ending;
   Words inputs;
-  int status = 0;  // where it can write
 };
 
-const Words of_case{"small.toml", "motion.csv"};
-const Words of_study{"small.toml", "motion.csv", "wave.csv", "solve", "version"};
-const Words of_campaign{"small.toml", "motion.csv",  "wave.csv",     "solve",
-                        "version",    "surges.toml", "ledger.jsonl", "ledger.jsonl.head"};
+const std::string of_case = "small.toml motion.csv", of_study = of_case + " wave.csv solve version",
+                  of_campaign = of_study + " surges.toml ledger.jsonl ledger.jsonl.head";
+const std::string gate = "gate ./surges.toml --ledger ledger.jsonl -o PLACE";
 
 const std::vector<Output>& outputs() {
   static const std::vector<Output> all{
-      {"export", {"export", "theory.h5", "--csv", "-o", "PLACE"}, "", "", {"theory.h5"}},
-      {"compare",
-       {"compare", "theory.h5", "mine.h5", "--case", "./small.toml", "--gauge", "right", "--json",
-        "PLACE"},
-       "",
-       "",
-       {"theory.h5", "mine.h5", "small.toml", "motion.csv"}},
+      {"export", "export theory.h5 --csv -o PLACE", "", "", "theory.h5"},
+      {"compare", "compare theory.h5 mine.h5 --case ./small.toml --gauge right --json PLACE", "",
+       "", "theory.h5 mine.h5 small.toml motion.csv"},
       {"import",
-       {"import", "wave.csv", "--format", "csv", "--time", "time", "--series",
-        "elevation@right=elevation@right", "-o", "PLACE"},
-       "",
-       "",
-       {"wave.csv"}},
-      {"surface",
-       {"surface", "particles.csv", "--case", "./small.toml", "--spacing", "0.1", "-o", "PLACE"},
-       "",
-       "",
-       {"particles.csv", "small.toml", "motion.csv"}},
-      {"reference", {"reference", "./small.toml", "-o", "PLACE"}, "", ".csv", of_case},
-      {"run", {"run", "./small.toml", "mine", "-o", "PLACE"}, "", "", of_study},
-      {"run --progress-file",
-       {"run", "./small.toml", "mine", "-o", "new.h5", "--progress-file", "PLACE"},
-       "",
-       "",
+       "import wave.csv --format csv --time time --series elevation@right=elevation@right -o PLACE",
+       "", "", "wave.csv"},
+      {"surface", "surface particles.csv --case ./small.toml --spacing 0.1 -o PLACE", "", "",
+       "particles.csv small.toml motion.csv"},
+      {"reference", "reference ./small.toml -o PLACE", "", ".csv", of_case},
+      {"run", "run ./small.toml mine -o PLACE", "", "", of_study},
+      {"run --progress-file", "run ./small.toml mine -o new.h5 --progress-file PLACE", "", "",
        of_study},
-      {"show", {"show", "./small.toml", "-o", "PLACE"}, "", ".svg", of_case},
-      {"converge",
-       {"converge", "./small.toml", "--family", "copy", "--spacings", "0.04,0.02,0.01", "-o",
-        "PLACE"},
-       "small.toml",
-       "",
-       of_study},
-      {"gate, its page",
-       {"gate", "./surges.toml", "--ledger", "ledger.jsonl", "-o", "PLACE"},
-       "gate/gate.md",
-       "",
-       of_campaign},
-      {"gate, its JUnit",
-       {"gate", "./surges.toml", "--ledger", "ledger.jsonl", "-o", "PLACE"},
-       "gate/junit.xml",
-       "",
-       of_campaign},
-      {"baseline propose",
-       {"baseline", "propose", "./surges.toml", "--ledger", "ledger.jsonl", "-o", "PLACE"},
-       "baseline_proposal.json",
-       "",
-       of_campaign}};
+      {"show", "show ./small.toml -o PLACE", "", ".svg", of_case},
+      {"converge", "converge ./small.toml --family copy --spacings 0.04,0.02,0.01 -o PLACE",
+       "small.toml", "", of_study},
+      {"gate, its page", gate, "gate/gate.md", "", of_campaign},
+      {"gate, its JUnit", gate, "gate/junit.xml", "", of_campaign},
+      {"baseline propose", "baseline propose ./surges.toml --ledger ledger.jsonl -o PLACE",
+       "baseline_proposal.json", "", of_campaign}};
   return all;
 }
 
@@ -107,7 +80,7 @@ class Outputs : public SmallCampaign {
              "type = \"table\"\nfile = \"motion.csv\"\n");
     write_campaign(case_text);
     EXPECT_EQ(run("theory").status, 0);
-    EXPECT_EQ(tool({"export", "theory.h5", "-o", "wave.csv"}).status, 0);
+    EXPECT_EQ(typed("export theory.h5 -o wave.csv").status, 0);
     write_campaign(case_text + program +
                    with(gate_on("mine"), "mode = \"forced\"\nmetric = \"amplitude_error\"",
                         "mode = \"whole\"\nmetric = \"normalised_rms\""));
@@ -118,9 +91,9 @@ class Outputs : public SmallCampaign {
 
   void begin_ledger() const {
     ASSERT_EQ(campaign().status, 0);
-    const Words common{"./surges.toml", "-o", "out", "--ledger", "ledger.jsonl", "--new"};
-    for (Words words : {Words{"baseline", "propose"},
-                        Words{"baseline", "approve", "--who", "A", "--reason", "b"}}) {
+    const Words common = words_of("./surges.toml -o out --ledger ledger.jsonl --new");
+    for (Words words :
+         {Words{"baseline", "propose"}, words_of("baseline approve --who A --reason b")}) {
       words.insert(words.begin() + 2, common.begin(), common.end());
       const Ended ended = tool(words);
       ASSERT_EQ(ended.status, 0) << ended.out << ended.err;
@@ -156,7 +129,7 @@ name = "mine"
 solver = "external"
 method = "copy"
 particle_spacing_m = 0.04
-command = ["./solve", "wave.csv", "{work_directory}"]
+command = ["./solve", "wave.csv", "{work_directory}", "{particle_spacing_m}"]
 version_command = ["./version"]
 directory = "."
 inputs = ["wave.csv"]
@@ -204,12 +177,10 @@ TEST_F(Outputs, OfAStudyReplaceItsOwnFilesAndNoOther) {
   EXPECT_EQ(read("study/small.toml"), made);
   for (const auto& [file, text] : {std::pair{"small.toml", made}, {"motion.csv", table}}) {
     write(std::string("study/") + file, "a week of work");
-    const Ended refused = tool(study);
-    EXPECT_EQ(refused.status, 4) << refused.err;
-    EXPECT_TRUE(holds(refused.err, "by its list .slosh"));
-    EXPECT_TRUE(holds(refused.err, file));
-    EXPECT_EQ(read(std::string("study/") + file), "a week of work");
-    write(std::string("study/") + file, text);
+    const std::string kept = file + std::string(".kept-1");
+    EXPECT_TRUE(holds(tool(study).err, "it is kept as " + kept));
+    EXPECT_EQ(read("study/" + kept), "a week of work");
+    EXPECT_EQ(read(std::string("study/") + file), text);
   }
 }
 
@@ -221,7 +192,7 @@ TEST_F(Outputs, RemoveNoDirectoryOfAUsersFromThatOfTheJobs) {
 }
 
 TEST_F(Outputs, ReplaceNoInputThatLiesInADirectoryOfTheTool) {
-  const Words report{"report", "./out/report/tables/surges.toml", "-o", "out"};
+  const Words report = words_of("report ./out/report/tables/surges.toml -o out");
   fs::create_directories(directory() / "out/report/tables");
   fs::copy_file(directory() / "surges.toml", directory() / "out/report/tables/surges.toml");
   fs::copy_file(directory() / "small.toml", directory() / "out/report/tables/small.toml");
@@ -235,7 +206,7 @@ TEST_F(Outputs, ReplaceNoInputThatLiesInADirectoryOfTheTool) {
   // Before it starts, the program's directory is emptied.
   fs::create_directory(directory() / "new.work");
   fs::rename(directory() / "out/report/tables", directory() / "new.work/mine.external");
-  const Ended ran = tool({"run", "./new.work/mine.external/small.toml", "mine", "-o", "new.h5"});
+  const Ended ran = typed("run ./new.work/mine.external/small.toml mine -o new.h5");
   EXPECT_EQ(ran.status, 2) << ran.out << ran.err;
   EXPECT_TRUE(holds(ran.err, "which lies there, is an input of this command and would be lost"));
   EXPECT_TRUE(fs::exists(directory() / "new.work/mine.external/small.toml"));
@@ -280,11 +251,11 @@ TEST_F(Outputs, FollowTheLinksThatAUserNamesAndNoOthers) {
 // Whoever proposes a change may commit links, and a list, where the outputs of a start go.
 TEST_F(Outputs, LieBehindNoLinkThatWasCommitted) {
   begin_ledger();
-  ASSERT_EQ(tool({"gate", "./surges.toml", "--ledger", "ledger.jsonl", "-o", "out"}).status, 0);
-  const Words gate{"gate", "./surges.toml", "--ledger", "ledger.jsonl"},
-      start{"campaign", "./surges.toml"}, report{"report", "./surges.toml"},
-      propose{"baseline", "propose", "./surges.toml", "--ledger", "ledger.jsonl"},
-      mistake{"gate", "./surges.toml", "--mistake"};
+  ASSERT_EQ(typed("gate ./surges.toml --ledger ledger.jsonl -o out").status, 0);
+  const Words gate = words_of("gate ./surges.toml --ledger ledger.jsonl"),
+              start{"campaign", "./surges.toml"}, report{"report", "./surges.toml"},
+              propose{"baseline", "propose", "./surges.toml", "--ledger", "ledger.jsonl"},
+              mistake{"gate", "./surges.toml", "--mistake"};
   write("mine", "a week of work");
   int count = 0;
   for (const auto& [words, link] : {std::pair{gate, "gate/gate.md"},
@@ -337,7 +308,7 @@ TEST_F(Outputs, LieBehindNoLinkThatWasCommitted) {
 TEST_F(Outputs, ReplaceNoDocumentOfAUsers) {
   begin_ledger();
   const Words end{"-o", "own"};
-  for (Words words : {Words{"gate", "./surges.toml", "--ledger", "ledger.jsonl"},
+  for (Words words : {words_of("gate ./surges.toml --ledger ledger.jsonl"),
                       {"campaign", "./surges.toml"},
                       {"report", "./surges.toml"},
                       {"gate", "./surges.toml", "--mistake"},
@@ -349,14 +320,17 @@ TEST_F(Outputs, ReplaceNoDocumentOfAUsers) {
       write(file, "a week of work");
     words.insert(words.end(), end.begin(), end.end());
     tool(words);
-    for (const char* file :
-         {"own/gate/gate.md", "own/gate/junit.xml", "own/baseline_proposal.json"})
-      EXPECT_EQ(read(file), "a week of work") << file;
+    for (const std::string file :
+         {"own/gate/gate.md", "own/gate/junit.xml", "own/baseline_proposal.json"}) {
+      const std::string kept = fs::exists(directory() / (file + ".kept-1")) ? ".kept-1" : "";
+      EXPECT_EQ(read(file + kept), "a week of work") << file;
+    }
+    fs::remove_all(directory() / "own");
   }
   fs::create_directory(directory() / "baselines");
   for (const char* file : {"surges.selftest.json", "baselines/surges.selftest.json"})
     write(file, "a week of work");
-  EXPECT_NE(tool({"selftest", "./surges.toml", "-o", "out", "--record"}).status, 0);
+  EXPECT_NE(typed("selftest ./surges.toml -o out --record").status, 0);
   for (const char* file : {"surges.selftest.json", "baselines/surges.selftest.json"})
     EXPECT_EQ(read(file), "a week of work") << file;
 }
@@ -496,10 +470,10 @@ TEST_F(Outputs, OfAFullOrClosedStandardOutputFailEveryCommand) {
       EXPECT_EQ(ended.status, 4) << words[0] << " " << target << ended.err;
       EXPECT_TRUE(holds(ended.err, "standard output: expected a place that takes all"));
     }
-  EXPECT_EQ(tool({"list"}).status, 0);
+  EXPECT_EQ(typed("list").status, 0);
 }
 
-TEST_F(Outputs, WriteAReportAgainWhosePagesWereRemovedAndRefuseAnEditedOne) {
+TEST_F(Outputs, WriteAReportAgainWhosePagesWereRemovedAndKeepAnEditedOne) {
   ASSERT_EQ(campaign().status, 0);
   const std::string page = read(report() / "index.html");
   fs::path figure;
@@ -513,10 +487,8 @@ TEST_F(Outputs, WriteAReportAgainWhosePagesWereRemovedAndRefuseAnEditedOne) {
   };
   for (const char* command : {"report", "campaign"}) {
     write("out/report/index.html", "edited");
-    const Ended refused = tool({command, "./surges.toml", "--output", "out"});
-    EXPECT_EQ(refused.status, 4) << refused.out;
-    EXPECT_TRUE(holds(refused.err, "by its list .slosh"));
-    EXPECT_EQ(read("out/report/index.html"), "edited");
+    expect_written(command, "an edited page");
+    EXPECT_EQ(read("out/report/index.html.kept-1"), "edited");
     fs::remove(report() / "index.html");
     expect_written(command, "no page");
     fs::remove(figure);
@@ -529,56 +501,66 @@ TEST_F(Outputs, WriteAReportAgainWhosePagesWereRemovedAndRefuseAnEditedOne) {
 }
 
 // Names alone say of no file that Slosh has made it.
-TEST_F(Outputs, ReplaceNothingOfAUsersThatHasTheNameOfAnOutput) {
-  for (const char* file : {"report/figures/mine.svg", "report/tables/mine.csv", "report/index.html",
-                           "report/results.json"}) {
-    fs::remove_all(directory() / "out/report");
+TEST_F(Outputs, SetAsideWhatIsAUsersAndLieBesideTheRest) {
+  const std::string notes = "a week of work";
+  for (const char* file : {"report/figures/mine.svg", "report/tables/mine.csv", "report/.DS_Store",
+                           "report/index.html~", "jobs/list_1/notes.txt"}) {
     fs::create_directories((directory() / "out" / file).parent_path());
-    write(std::string("out/") + file, "a week of work");
-    const Ended ended = campaign();
-    EXPECT_EQ(ended.status, 4) << file;
-    EXPECT_TRUE(holds(ended.err, "by its list .slosh")) << file;
-    EXPECT_TRUE(holds(ended.err, fs::path(file).filename().string())) << file;
-    EXPECT_EQ(read(std::string("out/") + file), "a week of work");
+    write(std::string("out/") + file, notes);
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(campaign().status, 0) << file;
+    EXPECT_EQ(read(std::string("out/") + file), notes) << "it is in nobody's way";
   }
-  fs::remove_all(directory() / "out/report");
-  ASSERT_EQ(campaign().status, 0);
-  write("out/report/figures/mine.svg", "a week of work");
-  EXPECT_EQ(campaign().status, 4) << "in a report that Slosh has made";
-  EXPECT_EQ(read("out/report/figures/mine.svg"), "a week of work");
-  fs::create_directories(directory() / "new/jobs/list_1");
-  for (const char* file : {"jobs.cbor", "notes.txt"})
-    write(std::string("new/jobs/list_1/") + file, "a week of work");
-  fs::create_directories(directory() / "new/runs/small");
-  write("new/runs/small/theory.log", "a week of work");
-  const Words start{"campaign", "./surges.toml", "-o", "new", "--store", "another"};
-  const Ended logged = tool(start);
-  EXPECT_EQ(logged.status, 4);
-  EXPECT_TRUE(holds(logged.err, "theory.log"));
-  EXPECT_EQ(read("new/runs/small/theory.log"), "a week of work");
-  fs::remove(directory() / "new/runs/small/theory.log");
-  EXPECT_EQ(tool(start).status, 0);
-  EXPECT_EQ(read("new/jobs/list_1/notes.txt"), "a week of work");
-  fs::remove_all(directory() / "mine.work");
-  fs::create_directories(directory() / "mine.work/mine.external");
-  write("mine.work/mine.external/notes.txt", "a week of work");
-  EXPECT_EQ(run("mine").status, 3);
-  EXPECT_EQ(read("mine.work/mine.external/notes.txt"), "a week of work");
-  fs::remove_all(directory() / "mine.work");
-  for (int i = 0; i < 2; ++i) EXPECT_EQ(run("mine").status, 0);
-  write("mine.work/mine.external/notes.txt", "a week of work");
-  EXPECT_EQ(run("mine").status, 3) << "in a directory that Slosh has made";
-  EXPECT_EQ(read("mine.work/mine.external/notes.txt"), "a week of work");
+  fs::create_directories(directory() / "new/gate/gate.md");
+  write("new/gate/gate.md/notes.txt", notes);
+  const std::vector<std::string> in_the_way{"report/index.html", "report/results.json",
+                                            "runs/small/theory.log"};
+  for (const std::string& file : in_the_way) {
+    fs::create_directories((directory() / "new" / file).parent_path());
+    write("new/" + file, notes);
+  }
+  const Words end{"./surges.toml", "-o", "new", "--store", "another"};
+  const Ended started = tool({"campaign", end[0], end[1], end[2], end[3], end[4]});
+  EXPECT_EQ(started.status, 0) << started.err;
+  for (const std::string& file : in_the_way) {
+    EXPECT_EQ(read("new/" + file + ".kept-1"), notes);
+    EXPECT_TRUE(holds(started.err, "it is kept as " + fs::path(file).filename().string()));
+  }
+  EXPECT_EQ(tool({"gate", end[0], end[1], end[2], end[3], end[4]}).status, 0);
+  EXPECT_EQ(read("new/gate/gate.md.kept-1/notes.txt"), notes);
 }
 
-TEST_F(Outputs, OfAStudyReplaceNoTableOfAUsers) {
+// A start that was interrupted, a store that was copied, a user at work in the directory.
+TEST_F(Outputs, OfAProgramAreKeptWhoeverHasLeftThem) {
+  fs::create_directories(directory() / "mine.work/mine.external");
+  write("mine.work/mine.external/part.csv", "half");
+  write("mine.work/mine.external/notes.txt", "a week of work");
+  write("mine.work/mine.external.log", "killed");
+  const Ended again = run("mine");
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_TRUE(holds(again.err, "it is kept as mine.external.kept-"));
+  const auto kept = [&](const std::string& file) {
+    for (int i = 1; i < 9; ++i)
+      if (const std::string one = "mine.work/mine.external.kept-" + std::to_string(i) + "/" + file;
+          fs::exists(directory() / one))
+        return read(one);
+    return std::string("lost");
+  };
+  EXPECT_EQ(kept("notes.txt"), "a week of work");
+  EXPECT_EQ(kept("part.csv"), "half");
+  EXPECT_EQ(read("mine.work/mine.external.log.kept-1"), "killed");
+  write("solve", "#!/bin/sh\ncp \"$1\" \"$2/wave.csv\"; echo by hand > \"$2/plot.py\"\n");
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(run("mine").status, 0);
+  EXPECT_EQ(kept("plot.py"), "by hand\n") << "laid there while the program ran";
+  EXPECT_FALSE(fs::exists(directory() / "mine.work/mine.external.log.kept-2"));
+  EXPECT_EQ(run("mine", {"-o", ".slosh"}).status, 2);
+}
+
+TEST_F(Outputs, OfAStudySetAsideATableOfAUsers) {
   fs::create_directory(directory() / "study");
   write("study/motion.csv", "a week of work");
-  EXPECT_EQ(tool({"converge", "./small.toml", "--family", "copy", "--spacings", "0.04,0.02,0.01",
-                  "-o", "study"})
-                .status,
-            4);
-  EXPECT_EQ(read("study/motion.csv"), "a week of work");
+  EXPECT_NE(typed("converge ./small.toml --family copy --spacings 0.04,0.02,0.01 -o study").status,
+            2);
+  EXPECT_EQ(read("study/motion.csv.kept-1"), "a week of work");
 }
 
 TEST_F(Outputs, KeepAUsersFileWhereTheLinkOfARunGoes) {

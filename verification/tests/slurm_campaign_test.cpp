@@ -9,10 +9,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Of the sweep's runs eight are enough: Slurm takes a second to start one.
 TEST_F(SlurmCampaign, GivesTheSameBitsAsThisMachine) {
+  const std::string all = read("surges.toml");
+  write("surges.toml", with(with(all, R"(["wendland_c2", "linear_state", "gamma_3", "gamma_5"])",
+                                 R"(["wendland_c2"])"),
+                            "[0.2, 0.25, 0.3, 0.35]", "[0.2, 0.35]"));
+  constexpr std::size_t runs = 2 * 4 + 2;
   const Ended slurm = tool(on_slurm(), environment());
   ASSERT_EQ(slurm.status, 0) << slurm.err;
-  EXPECT_EQ(files_of_store(".h5").size(), all_runs);
+  EXPECT_EQ(files_of_store(".h5").size(), runs);
   const Ended local =
       tool({"campaign", "./surges.toml", "--output", "local", "--store", "local/store"});
   ASSERT_EQ(local.status, 0) << local.err;
@@ -28,7 +34,7 @@ TEST_F(SlurmCampaign, GivesTheSameBitsAsThisMachine) {
     }
     ++compared;
   }
-  EXPECT_EQ(compared, all_runs);
+  EXPECT_EQ(compared, runs);
   EXPECT_EQ(tool(on_slurm(), environment()).err, "") << "and nothing is computed twice";
 }
 

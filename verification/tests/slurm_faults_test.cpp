@@ -49,7 +49,9 @@ TEST_F(SlurmCampaign, EndsItsJobsWhereItIsInterrupted) {
 
 TEST_F(SlurmCampaign, SaysWhatSlurmDidToAJobThatWasCancelled) {
   auto child = start(SLOSH_TOOL, on_slurm(), environment());
-  ASSERT_TRUE(comes_true([&] { return cancel_one_task(); }, patience));
+  // The theory, without which nothing is compared, comes first.
+  ASSERT_TRUE(
+      comes_true([&] { return !files_of_store(".h5").empty() && cancel_one_task(); }, patience));
   const Ended ended = end_of(std::move(child));
   EXPECT_EQ(ended.status, 3) << ended.err;
   EXPECT_NE(ended.err.find("failed   small/"), std::string::npos) << ended.err;

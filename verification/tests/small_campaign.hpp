@@ -11,9 +11,11 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "verification/tests/messages.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh {
@@ -112,9 +114,12 @@ inline std::string with(std::string text, const std::string& from, const std::st
 
 inline bool has_interfoam() { return !boost::process::search_path("interFoam").empty(); }
 
-inline ::testing::AssertionResult holds(const std::string& text, const std::string& part) {
-  if (text.find(part) != std::string::npos) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << "no \"" << part << "\" in:\n" << text;
+// The words of a line as one types it; '' is an empty word.
+inline std::vector<std::string> words_of(const std::string& line) {
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word == "''" ? "" : word);
+  return words;
 }
 
 struct Ended {
@@ -205,13 +210,16 @@ class SmallCampaign : public ::testing::Test {
   Ended tool(const std::vector<std::string>& arguments, const Environment& more = {}) const {
     return end_of(start(SLOSH_TOOL, arguments, more));
   }
+  Ended typed(const std::string& line, const Environment& more = {}) const {
+    return tool(words_of(line), more);
+  }
   // `slosh run` of the case small.toml, whose result stays in the directory.
   Ended run(const std::string& name, const std::vector<std::string>& more = {}) const {
     std::vector<std::string> arguments{"run", "./small.toml", name};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return tool(arguments);
   }
-  Ended campaign() const { return tool({"campaign", "./surges.toml", "--output", "out"}); }
+  Ended campaign() const { return typed("campaign ./surges.toml --output out"); }
 
  private:
   TemporaryDirectory temporary_;

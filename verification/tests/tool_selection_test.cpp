@@ -107,8 +107,8 @@ TEST_F(ToolSelection, ExplainsWhatIsSolvedByWhatAndWhatGates) {
   EXPECT_EQ(run.status, 0) << run.err;
   for (const char* part :
        {"1 m long, 1 m high", "surge X = 0.02 m sin(3 rad/s t)", "4.966 rad/s",
-        "linear potential flow, 500 modes", "spacing 25 mm, 560 particles: about 0.4",
-        "an estimate: ", "steps: 1.43 ms each: ", "terms: Kaiser-Bessel",
+        "linear potential flow, 500 modes", "spacing 25 mm, 560 particles: core-seconds",
+        "steps: 1.43 ms each: ", "terms: Kaiser-Bessel",
         "  particles: error of the amplitude of elevation@right (forced) against theory\n"
         "  must not exceed 30 % either way.\n      The runs are coarse. [made for a test]\n"})
     EXPECT_TRUE(holds(run.out, part));

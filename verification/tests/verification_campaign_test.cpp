@@ -19,6 +19,8 @@ std::string shipped_problems() {
   return text.erase(cases, text.find("]\n", cases) + 2 - cases);
 }
 
+// Half a minute: the shipped problems themselves, each once, which no other test runs as a
+// campaign.
 TEST_F(VerificationCampaign, HoldsInItsQuickFormAndComputesNothingTwice) {
   write("problems.toml", shipped_problems());
   const std::vector<std::string> command{"campaign", "./problems.toml", "--quick", "--output",
@@ -37,7 +39,7 @@ TEST_F(VerificationCampaign, HoldsInItsQuickFormAndComputesNothingTwice) {
   EXPECT_EQ(fs::last_write_time(kept), written);
 }
 
-// Shipped cases that take seconds, run and tested by the tool itself.
+// Shipped cases that take seconds each, run and tested by the tool itself.
 TEST_F(VerificationCampaign, DetectsTogetherWhatEveryCaseMust) {
   write("extremes.toml",
         "schema_version = 1\nname = \"extremes\"\ntitle = \"Extremes\"\nsource = \"a test\"\n"

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "verification/campaign/campaign_plan.hpp"
-#include "verification/campaign/problem_run.hpp"
 #include "verification/files/shell_word.hpp"
 
 namespace slosh {
@@ -29,7 +26,7 @@ std::string command_text(const Job& job) {
 struct Sums {
   int kept = 0, left_out = 0, to_run = 0, timings = 0, unknown = 0;
   double processor_time = 0, alone = 0;  // [s]
-  double uncertainty = 1;                // the largest factor of any run
+  bool measured = true;                  // all of known cost, by earlier runs with the same key
 };
 
 std::string line_of(const Job& job, const std::string& cost, Sums& sums) {
@@ -59,8 +56,8 @@ std::string line_of(const PlannedRun& planned, const CampaignSettings& settings,
   ++sums.to_run;
   const ExpectedCost cost =
       expected_cost(*planned.definition, *planned.run, planned.key, settings.store);
-  sums.uncertainty = std::max(sums.uncertainty, cost.uncertainty);
-  if (cost.uncertainty == 0) ++sums.unknown;
+  if (!cost.known()) ++sums.unknown;
+  if (cost.known() && !cost.measured) sums.measured = false;
   return line_of(job_for(planned, settings), cost_text(cost), sums);
 }
 
@@ -68,12 +65,10 @@ std::string sums_text(const Sums& sums, const CampaignSettings& settings) {
   std::string text =
       fmt::format("{} kept, {} to run, {} left out", sums.kept, sums.to_run, sums.left_out);
   if (sums.to_run > sums.unknown)
-    text += fmt::format(
-        "; about {:.3g} core-seconds ({}), {:.2g} min on {} cores", sums.processor_time,
-        sums.uncertainty == 1
-            ? "as such runs took before"
-            : fmt::format("an estimate, right within a factor of {:g}", sums.uncertainty),
-        sums.processor_time / 60 / settings.at_once, settings.at_once);
+    text +=
+        fmt::format("; about {:.3g} core-seconds ({}), {:.2g} min on {} cores", sums.processor_time,
+                    sums.measured ? "as such runs took before" : "in part scaled from other runs",
+                    sums.processor_time / 60 / settings.at_once, settings.at_once);
   if (sums.unknown > 0) text += fmt::format("; {} of unknown cost, not counted", sums.unknown);
   if (sums.timings > 0)
     text +=

@@ -17,6 +17,7 @@
 #include "reports/pages/report_documents.hpp"
 #include "reports/pages/write_report.hpp"
 #include "reports/tests/test_environment.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::reports::draw_figure_test {
 namespace {
@@ -54,7 +55,7 @@ void expect_well_formed(const std::string& svg) {
 TEST(DrawnFigure, IsAPngFileToo) {
   const ScratchDirectory scratch;
   const std::string png = draw_png(simple_figure("pixels", {1, 2, 3}), scratch.path());
-  EXPECT_TRUE(png.starts_with("\x89PNG"));
+  EXPECT_TRUE(begins(png, "\x89PNG"));
   EXPECT_GT(png.size(), 5000u) << "an empty picture";
 }
 
@@ -65,7 +66,7 @@ TEST(FigurePage, HoldsItsFiguresAndRemarksWithEveryLetterEscaped) {
   const std::string page = figure_page("This & that", {figure}, {"<b> is missing"}, scratch.path());
   for (const char* part : {"<h1>This &amp; that</h1>", "<svg ", "plot-only-title", "a &lt; b",
                            "<p>&lt;b&gt; is missing</p>"})
-    EXPECT_NE(page.find(part), page.npos) << part << page;
+    EXPECT_TRUE(holds(page, part));
 }
 
 TEST(DrawnFigure, BreaksTheLineAtValuesThatAreNotFinite) {
@@ -80,11 +81,11 @@ TEST(DrawnFigure, BreaksTheLineAtValuesThatAreNotFinite) {
 }
 
 TEST(DrawnFigure, WithNothingToDrawIsAnEmptyFrame) {
-  EXPECT_NE(drawn_markup(simple_figure("nothing", {nan, nan})).find("<path"), std::string::npos);
-  EXPECT_NE(drawn_markup(simple_figure("no-samples", {})).find("<path"), std::string::npos);
+  EXPECT_TRUE(holds(drawn_markup(simple_figure("nothing", {nan, nan})), "<path"));
+  EXPECT_TRUE(holds(drawn_markup(simple_figure("no-samples", {})), "<path"));
   Figure no_curves = simple_figure("no-curves", {});
   no_curves.curves.clear();
-  EXPECT_NE(drawn_markup(no_curves).find("<path"), std::string::npos);
+  EXPECT_TRUE(holds(drawn_markup(no_curves), "<path"));
 }
 
 TEST(DrawnFigure, HasIdsOfItsOwnAndRefersOnlyToThem) {
@@ -119,7 +120,7 @@ TEST(DrawnFigure, CarriesOnlyColoursThatTheDarkSchemeRepaints) {
     const std::string property = (*match)[1], value = (*match)[2];
     if (value == "none" || value == "currentColor") continue;
     const std::string rule = ".plot [" + property + "=\"" + value + "\"]";
-    EXPECT_NE(svg.find(rule), std::string::npos) << match->str();
+    EXPECT_TRUE(holds(svg, rule)) << match->str();
   }
 }
 
@@ -136,9 +137,9 @@ TEST(DrawnFigure, ShowsLabelsAsTheyAreAndRunsNothingInThem) {
   const std::string svg =
       svg_element(figure, draw_figure(figure, scratch.path()), SvgPlace::own_file);
   EXPECT_FALSE(std::filesystem::exists(trap));
-  EXPECT_NE(svg.find("@x \"black\" 'black' &lt;b"), std::string::npos);
-  EXPECT_NE(svg.find("{a}_b^c"), std::string::npos);
-  EXPECT_NE(svg.find(figure.y_label), std::string::npos);
+  EXPECT_TRUE(holds(svg, "@x \"black\" 'black' &lt;b"));
+  EXPECT_TRUE(holds(svg, "{a}_b^c"));
+  EXPECT_TRUE(holds(svg, figure.y_label));
   expect_well_formed(svg);
 }
 
@@ -151,7 +152,7 @@ TEST(DrawnFigure, LabelsBothEndsOfALogarithmicAxis) {
     for (const double end : {lower, 5 * lower}) {
       std::ostringstream label;
       label << '>' << end << '<';
-      EXPECT_NE(markup.find(label.str()), std::string::npos) << label.str();
+      EXPECT_TRUE(holds(markup, label.str()));
     }
   }
 }
@@ -223,14 +224,11 @@ TEST(DrawnFigure, HasARibbonOnePieceForEachPartBetweenGaps) {
   EXPECT_EQ(pieces({2, 3, 4, 5, 6, 7}), 1);
   EXPECT_EQ(pieces({2, 3, 4, nan, 6, 7}), 2);
   EXPECT_EQ(pieces({nan, nan, nan, nan, nan, nan}), 0);
-}
-
-TEST(DrawnFigure, CutsARibbonThatReachesBelowALogarithmicAxis) {
-  Figure figure = simple_figure("deep", {1, 2, 3});
-  figure.log_y = true;
-  figure.curves[0].lower = {0.5, -1, 1};
-  figure.curves[0].upper = {2, 3, 4};
-  EXPECT_NE(drawn_markup(figure).find("fill = '#0069a8'"), std::string::npos);
+  Figure deep = simple_figure("deep", {1, 2, 3});  // below a logarithmic axis it is cut
+  deep.log_y = true;
+  deep.curves[0].lower = {0.5, -1, 1};
+  deep.curves[0].upper = {2, 3, 4};
+  EXPECT_TRUE(holds(drawn_markup(deep), "fill = '#0069a8'"));
 }
 
 TEST(DrawnFigure, NamesSpansOfOneLabelOnceAndLeavesOutThoseBesideTheAxis) {
@@ -246,12 +244,12 @@ TEST(DrawnFigure, NamesSpansOfOneLabelOnceAndLeavesOutThoseBesideTheAxis) {
   };
   EXPECT_EQ(count(script, "title 'start'"), 1);
   EXPECT_EQ(count(script, "set object"), 2);
-  EXPECT_NE(script.find("from first 0, graph 0 to first 1, graph 1"), std::string::npos);
+  EXPECT_TRUE(holds(script, "from first 0, graph 0 to first 1, graph 1"));
   EXPECT_EQ(canvas_height(figure), without);  // beside the curve in one row of the legend
   const ScratchDirectory scratch;
   const std::string svg =
       svg_element(figure, draw_figure(figure, scratch.path()), SvgPlace::own_file);
-  EXPECT_NE(svg.find("start from 3 to 9 (shaded)"), std::string::npos);
+  EXPECT_TRUE(holds(svg, "start from 3 to 9 (shaded)"));
   expect_well_formed(svg);
 }
 
@@ -263,10 +261,8 @@ TEST(DrawnFigure, BreaksALongEntryOfTheLegendAtACommaAndShowsAllOfIt) {
       "start_disorder = 0.2";
   EXPECT_EQ(canvas_height(figure), of_one_line + legend_row_height);
   const std::string markup = drawn_markup(figure);
-  EXPECT_NE(markup.find(">recommended, quintic_spline, initial_state = settled,<"),
-            std::string::npos);
-  EXPECT_NE(markup.find(">smoothing_length_ratio = 1.42, start_disorder = 0.2<"),
-            std::string::npos);
+  EXPECT_TRUE(holds(markup, ">recommended, quintic_spline, initial_state = settled,<"));
+  EXPECT_TRUE(holds(markup, ">smoothing_length_ratio = 1.42, start_disorder = 0.2<"));
 }
 
 TEST(DrawnFigure, OfEqualAxesIsASquareOfOneScale) {
@@ -294,9 +290,9 @@ TEST(DrawnFigure, HasTheTicksThatItIsGiven) {
   Figure figure = simple_figure("ticks", {1, 2});
   figure.x_ticks = {{0, "first's"}, {1, "now"}};
   const std::string markup = drawn_markup(figure);
-  EXPECT_NE(markup.find("first's"), std::string::npos);
-  EXPECT_NE(markup.find("now"), std::string::npos);
-  EXPECT_EQ(markup.find(">0.5<"), std::string::npos);
+  EXPECT_TRUE(holds(markup, "first's"));
+  EXPECT_TRUE(holds(markup, "now"));
+  EXPECT_FALSE(holds(markup, ">0.5<"));
 }
 
 TEST(DrawnFigure, OfALongSeriesStaysSmall) {
@@ -309,12 +305,10 @@ TEST(DrawnFigure, OfALongSeriesStaysSmall) {
 TEST(MissingGnuplot, IsAnErrorThatSaysWhatToInstall) {
   const ScratchDirectory scratch;
   const PathVariable path(scratch.path().string());
-  try {
+  const std::string message = message_of<ReportError>([&] {
     draw_figure(simple_figure("a", {1, 2}), scratch.path());
-    FAIL() << "no error";
-  } catch (const ReportError& error) {
-    EXPECT_NE(std::string(error.what()).find("gnuplot-nox"), std::string::npos) << error.what();
-  }
+  });
+  EXPECT_TRUE(holds(message, "gnuplot-nox"));
 }
 
 TEST(FailingGnuplot, IsAnErrorWithItsOwnWords) {
@@ -326,12 +320,10 @@ TEST(FailingGnuplot, IsAnErrorWithItsOwnWords) {
         {"echo \"<svg><g id=\\\"gnuplot_canvas\\\"><path d='M 1,2 </svg>\"\n", ""}}) {
     std::ofstream(scratch / "gnuplot") << "#!/bin/sh\n" << script;
     std::filesystem::permissions(scratch / "gnuplot", std::filesystem::perms::owner_all);
-    try {
+    const std::string message = message_of<ReportError>([&] {
       draw_figure(simple_figure("a", {1, 2}), scratch.path());
-      FAIL() << "no error";
-    } catch (const ReportError& error) {
-      EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
-    }
+    });
+    EXPECT_TRUE(holds(message, expected));
   }
 }
 
@@ -340,13 +332,8 @@ TEST(EndlessGnuplot, IsEndedAtItsTimeLimitWithItsOwnWords) {
   std::ofstream(scratch / "gnuplot") << "#!/bin/sh\necho drawing >&2\nexec sleep 60\n";
   std::filesystem::permissions(scratch / "gnuplot", std::filesystem::perms::owner_all);
   const PathVariable path(scratch.path().string() + ":/usr/bin:/bin");
-  try {
-    run_gnuplot_within(0.3, "", "a", scratch.path());
-    FAIL() << "no error";
-  } catch (const ReportError& error) {
-    EXPECT_STREQ(error.what(),
-                 "figure 'a': gnuplot was ended at its time limit of 0.3 s: drawing\n");
-  }
+  EXPECT_EQ(message_of<ReportError>([&] { run_gnuplot_within(0.3, "", "a", scratch.path()); }),
+            "figure 'a': gnuplot was ended at its time limit of 0.3 s: drawing\n");
 }
 
 }  // namespace

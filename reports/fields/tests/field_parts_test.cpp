@@ -207,17 +207,14 @@ TEST(Raster, LeavesAVoidOpen) {
   EXPECT_LE(raster(figure).holes(), std::ceil(9 * cell * cell));
 }
 
-TEST(Raster, GivesTheSmallestPlaceAPixel) {
+TEST(Raster, GivesTheSmallestPlaceAPixelAndNoneToOneThatFlewOutOfItsPanel) {
   FieldFigure figure = with_values({1});
   figure.panels[0].point_width = figure.panels[0].point_height = 1e-9;
   for (const double angle : {0.0, 0.5}) {
     figure.panels[0].angle = angle;
     EXPECT_EQ(raster(figure).levels.size(), 1u);
   }
-}
-
-TEST(Raster, LeavesOutAPlaceThatFlewOutOfItsPanel) {
-  FieldFigure figure = with_values({1, 1});
+  figure = with_values({1, 1});
   figure.panels[0].x = {1.5, -1e200};
   EXPECT_TRUE(raster(figure).levels.empty());
 }

@@ -77,11 +77,14 @@ TEST(CaseFields, ShowPressureAndVelocityInTheTankAsItIsTurned) {
   EXPECT_EQ(fields[0].title, "Pressure and velocity at 1 s");
 }
 
-TEST(CaseFields, HaveTheOutlineOfATankThatIsNoRectangle) {
+TEST(CaseFields, OfATankThatDoesNotRollStandLevelInItsOutline) {
   CaseDefinition definition = surge_case();
   definition.snapshot_times = {1};
   const CaseRuns runs = runs_with_snapshots({"particles"}, {1});
-  EXPECT_TRUE(case_fields(assess(definition, runs)).at(0).panels.at(0).outline.empty());
+  const reports::FieldPanel level = case_fields(assess(definition, runs)).at(0).panels.at(0);
+  EXPECT_EQ(level.angle, 0);
+  EXPECT_EQ(level.label, "particles, t = 1 s");
+  EXPECT_TRUE(level.outline.empty());
   definition.tank.outline = {{0.2, 0}, {0.8, 0}, {1, 1}, {0, 1}};
   definition.natural_modes = 0;
   const reports::FieldPanel panel = case_fields(assess(definition, runs)).at(0).panels.at(0);
@@ -89,16 +92,6 @@ TEST(CaseFields, HaveTheOutlineOfATankThatIsNoRectangle) {
   EXPECT_EQ(panel.outline[1].x, 0.8);
   EXPECT_EQ(panel.outline[2].z, 1);
   EXPECT_EQ(panel.tank_length, 1);
-}
-
-TEST(CaseFields, OfATankThatDoesNotRollStandLevel) {
-  CaseDefinition definition = surge_case();
-  definition.snapshot_times = {1};
-  const auto fields = case_fields(assess(definition, runs_with_snapshots({"particles"}, {1})));
-  ASSERT_EQ(fields.size(), 1u);
-  EXPECT_EQ(fields[0].panels.at(0).angle, 0);
-  EXPECT_EQ(fields[0].panels[0].label, "particles, t = 1 s");
-  EXPECT_EQ(fields[0].caption.find("roll"), std::string::npos);
 }
 
 TEST(CaseFields, LeaveThePlaceOfASnapshotThatIsMissingEmpty) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
+#include <tuple>
 
 #include "verification/baseline/baseline_change.hpp"
 #include "verification/tests/temporary_directory.hpp"
@@ -55,24 +57,6 @@ TEST(BaselineDiff, SaysByHowManyUncertaintiesAMetricHasMoved) {
   EXPECT_TRUE(moved.has_changed());
   EXPECT_FALSE(moved.loosened);
   EXPECT_EQ(movement_text(moved), "+1 % -> +2 % (2 uncertainties)");
-}
-
-TEST(BaselineDiff, OfTheSameFiguresIsNone) {
-  const RowMovement moved = movement(outcome(0.01, 0.003, 0.05));
-  EXPECT_FALSE(moved.has_changed());
-  EXPECT_EQ(moved.uncertainties, 0);
-  EXPECT_EQ(movement_text(moved), "unmoved");
-}
-
-TEST(BaselineDiff, OfAChangeWithinTheIntervalsIsNone) {
-  EXPECT_FALSE(movement(outcome(0.013, 0.003, 0.05)).has_changed());
-  EXPECT_TRUE(movement(outcome(0.015, 0.003, 0.05)).has_changed());
-}
-
-TEST(BaselineDiff, OfWhatMachinesRoundDifferentlyIsNone) {
-  const Baseline exact{{amplitude_row, {0.01, 0, -0.05, 0.05}}};
-  EXPECT_FALSE(moved_in(exact, campaign(outcome(0.01 + 4e-8, 0, 0.05))).at(0).has_changed());
-  EXPECT_TRUE(moved_in(exact, campaign(outcome(0.01 + 6e-8, 0, 0.05))).at(0).has_changed());
 }
 
 // A limit of a cost times 1e9, and a row on one that is deleted.
@@ -160,17 +144,29 @@ TEST(BaselineDiff, TellsALimitFromAnImprovementOfTheSameMetric) {
   EXPECT_EQ(row_name("surge", row), amplitude_row + ", below that of coarse");
 }
 
-TEST(BaselineDiff, AMetricWithoutIntervalsThatMovedDidSoBeyondAllUncertainty) {
+TEST(BaselineDiff, IsOfWhatMovedBeyondIntervalsRoundingAndTheTwelfthDigitOfALimit) {
+  const auto has_moved = [](double half_width, double value, double limit) {
+    const Baseline before{{amplitude_row, {0.01, half_width, -0.05, 0.05}}};
+    return moved_in(before, campaign(outcome(value, half_width, limit))).at(0).has_changed();
+  };
+  EXPECT_FALSE(has_moved(0.003, 0.01, 0.05));
+  EXPECT_FALSE(has_moved(0.003, 0.013, 0.05));
+  EXPECT_TRUE(has_moved(0.003, 0.015, 0.05));
+  EXPECT_FALSE(has_moved(0, 0.01 + 4e-8, 0.05));
+  EXPECT_TRUE(has_moved(0, 0.01 + 6e-8, 0.05));
+  EXPECT_FALSE(has_moved(0.003, 0.01, 0.05 * (1 + 1e-12)));
+  EXPECT_FALSE(has_moved(0.003, 0.01, 0.05 * (1 - 1e-12)));
+  EXPECT_TRUE(has_moved(0.003, 0.01, 0.0501));
+  EXPECT_TRUE(has_moved(0.003, 0.01, 0.0499));
+}
+
+TEST(BaselineDiff, WithoutIntervalsIsBeyondAllUncertaintyInAsManyDigitsAsItTakes) {
   const Baseline exact{{amplitude_row, {0.01, 0, -0.05, 0.05}}};
   const auto moved = moved_in(exact, campaign(outcome(0.02, 0, 0.05))).at(0);
   EXPECT_TRUE(std::isinf(moved.uncertainties));
   EXPECT_EQ(movement_text(moved), "+1 % -> +2 % (no interval)");
-}
-
-TEST(BaselineDiff, WritesAsManyDigitsAsTellTheValuesApart) {
-  const Baseline exact{{amplitude_row, {0.01, 0, -0.05, 0.05}}};
-  const auto moved = moved_in(exact, campaign(outcome(0.0100004, 0, 0.05))).at(0);
-  EXPECT_EQ(movement_text(moved), "+1 % -> +1.00004 % (no interval)");
+  EXPECT_EQ(movement_text(moved_in(exact, campaign(outcome(0.0100004, 0, 0.05))).at(0)),
+            "+1 % -> +1.00004 % (no interval)");
 }
 
 TEST(BaselineDiff, LeavesAloneWhatASelectionLeavesOutAndWhatTheUserDoesNotHave) {
@@ -273,7 +269,8 @@ TEST(BaselineDiff, TellsOtherEvidenceOfARow) {
   theory.name = "linear";
   theory.solver = LinearRun{10, false, 0.1};
   mine.name = "sph";
-  mine.solver = ExternalRun{.command = {"./solve"}, .inputs = {"mine.py"}};
+  mine.solver =
+      ExternalRun{.command = {"./solve"}, .directory = "v1/tables", .inputs = {"mine.py"}};
   definition.runs = {theory, mine};
   Baseline before = baseline;
   before.begin()->second.terms = moved_in(baseline, now).at(0).after->terms;
@@ -285,7 +282,10 @@ TEST(BaselineDiff, TellsOtherEvidenceOfARow) {
       [](CaseDefinition& one) {
         std::get<LinearRun>(one.runs[0].solver).valid_elevation_over_depth = 0.2;
       },
-      [](CaseDefinition& one) { std::get<ExternalRun>(one.runs[1].solver).inputs.clear(); }};
+      [](CaseDefinition& one) { std::get<ExternalRun>(one.runs[1].solver).inputs.clear(); },
+      [](CaseDefinition& one) {
+        std::get<ExternalRun>(one.runs[1].solver).directory = "v2/tables";
+      }};
   for (const auto& swap : swaps) {
     std::vector<CaseAssessment> other = now;
     swap(other[0].definition);
@@ -325,11 +325,82 @@ TEST(BaselineDiff, TellsOtherSettingsOfARunThatTheRowRestsOn) {
   EXPECT_EQ(proposed_changes({moved}).at(0).after->terms->setup.size(), 65U);
 }
 
-TEST(BaselineDiff, ATwelfthDigitIsNoChange) {
-  EXPECT_FALSE(movement(outcome(0.01, 0.003, 0.05 * (1 + 1e-12))).has_changed());
-  EXPECT_FALSE(movement(outcome(0.01, 0.003, 0.05 * (1 - 1e-12))).has_changed());
-  EXPECT_TRUE(movement(outcome(0.01, 0.003, 0.0501)).has_changed());
-  EXPECT_TRUE(movement(outcome(0.01, 0.003, 0.0499)).has_changed());
+// The same row, measured with these runs and a U of this half width.
+GateOutcome measured_with(const std::set<std::string>& runs, double half_width,
+                          const std::string& missing = "") {
+  GateOutcome one = outcome(0.01, 0.003, 0.05);
+  one.measured_with = runs;
+  UncertaintyContributions contributions;
+  contributions.input = half_width;
+  contributions.input.not_counted = missing;
+  one.judgement = judge_error(0.01, contributions, {-0.05, 0.05});
+  return one;
+}
+
+std::vector<CaseAssessment> campaign_with_runs(const GateOutcome& row) {
+  std::vector<CaseAssessment> cases = campaign(row);
+  for (const char* name : {"linear", "sph", "coarse", "viscous", "repeat"}) {
+    RunDefinition run{};
+    run.name = name;
+    run.solver = ExternalRun{.command = {"./solve", name}};
+    cases[0].definition.runs.push_back(run);
+  }
+  return cases;
+}
+
+// The theory of the inputs is another one, repeats are gone, a coarse run is not part of the form.
+TEST(BaselineDiff, TellsOtherRunsThatTheRowWasMeasuredWith) {
+  const std::set<std::string> runs{"linear", "sph", "coarse", "repeat"};
+  const std::vector<CaseAssessment> now = campaign_with_runs(measured_with(runs, 0.01));
+  const Baseline before{{amplitude_row, *moved_in({}, now).at(0).after}};
+  EXPECT_FALSE(moved_in(before, now).at(0).has_changed());
+  for (const std::set<std::string>& others :
+       {std::set<std::string>{"linear", "sph", "coarse"}, {"linear", "sph", "coarse", "viscous"}}) {
+    const RowMovement moved =
+        moved_in(before, campaign_with_runs(measured_with(others, 0.01))).at(0);
+    EXPECT_TRUE(moved.has_changed());
+    EXPECT_NE(movement_text(moved).find("measured with: coarse, linear, repeat, sph -> "),
+              std::string::npos)
+        << movement_text(moved);
+  }
+  std::vector<CaseAssessment> other = now;
+  std::get<ExternalRun>(other[0].definition.runs.at(4).solver).command[1] = "1.1";
+  EXPECT_TRUE(moved_in(before, other).at(0).has_changed()) << "other settings of a repeat";
+  other = now;
+  std::get<ExternalRun>(other[0].definition.runs.at(3).solver).command[1] = "1.1";
+  EXPECT_FALSE(moved_in(before, other).at(0).has_changed()) << "of a run that decides nothing";
+  other = now;
+  other[0].gate = {outcome(nan, nan, 0.05, Verdict::solver_failed)};
+  EXPECT_EQ(movement_text(moved_in(before, other).at(0)), "no value any more");
+  EXPECT_TRUE(proposed_changes(moved_in(before, other)).empty());
+  Baseline older = before;  // that recorded neither runs nor U
+  older.begin()->second.uncertainty.reset();
+  older.begin()->second.terms->measured_with.clear();
+  older.begin()->second.terms->setup.resize(65);
+  const std::vector<RowMovement> unmoved = moved_in(older, now);
+  EXPECT_FALSE(unmoved.at(0).has_changed());
+  EXPECT_EQ(proposed_changes(unmoved).at(0).after, before.begin()->second);
+}
+
+TEST(BaselineDiff, TellsAnIntervalThatShrankOrGrew) {
+  constexpr double all = 0;
+  for (const auto& [then, after, missing, text] :
+       {std::tuple{0.49, 0.0001, "", "unmoved, U: 49 % -> 0.01 %"},
+        {0.01, 0.03, "", "unmoved, U: 1 % -> 3 %"},
+        {0.01, 0.01, "the sensitivity to depth is unknown", "unmoved, U: 1 % -> unknown"},
+        {0.01, 0.0051, "", "unmoved"},    // by less than half
+        {0.0004, 0.0001, "", "unmoved"},  // by less than a hundredth of 5 %
+        {all, 0.0, "", "unmoved"}}) {
+    const Baseline before{{amplitude_row, *movement(measured_with({"sph"}, then)).after}};
+    const RowMovement moved =
+        moved_in(before, campaign(measured_with({"sph"}, after, missing))).at(0);
+    EXPECT_EQ(movement_text(moved), text);
+    EXPECT_EQ(moved.has_changed(), movement_text(moved) != "unmoved");
+    const TemporaryDirectory temporary;
+    const std::vector<BaselineChange> changes{{moved.row, moved.before, moved.after}};
+    write_proposal({"surges", changes}, temporary.path() / "proposal.json");
+    EXPECT_EQ(read_proposal(temporary.path() / "proposal.json").changes, changes);
+  }
 }
 
 TEST(BaselineDiff, ProposesTheTermsOfRowsThatHaveNotChanged) {

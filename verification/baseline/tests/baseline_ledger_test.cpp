@@ -60,6 +60,24 @@ TEST_F(BaselineLedger, KeepsEveryApprovalWithWhoWhenAndWhy) {
   EXPECT_EQ(baseline_of(approvals).at("row"), second);
 }
 
+// As Git checks it out where core.autocrlf is set.
+TEST_F(BaselineLedger, MayHaveTheLineEndsOfAnotherSystem) {
+  approve({{"row", {}, first}}, "first figures");
+  const std::string before = text();
+  std::string other = before;
+  other.insert(other.size() - 1, "\r");
+  write(other);
+  EXPECT_EQ(refusal(), "");
+  approve({{"row", first, second}}, "a better kernel");
+  EXPECT_TRUE(text().starts_with(before));
+  EXPECT_EQ(baseline_of(read_ledger(file())).at("row"), second);
+}
+
+TEST_F(BaselineLedger, TakesTextsInUtf8Alone) {
+  EXPECT_THROW(approve({{"row", {}, first}}, "\xe4"), LedgerError);
+  EXPECT_TRUE(read_ledger(file()).empty());
+}
+
 TEST_F(BaselineLedger, OnlyGrows) {
   approve({{"row", {}, first}}, "first figures");
   const std::string before = text();

@@ -72,6 +72,14 @@ TEST(RunSelection, TakesTheRunThatARowImprovesOn) {
   CaseDefinition definition = tank();
   definition.gate[0].improves_on = "coarse";
   EXPECT_EQ(selected({.only = {"tank/fine"}}, definition), (Names{"theory", "fine", "coarse"}));
+  definition.runs.push_back(run_of("record", RecordRun{}));
+  definition.gate[0].reference = "record";
+  definition.refinements.push_back(
+      {"spacing", RefinedNumber::particle_spacing, {"coarse", "idle"}});
+  definition.runs.push_back(run_of("idle", particles(0.04)));
+  EXPECT_EQ(selected({.only = {"tank/fine"}}, definition),
+            (Names{"fine", "coarse", "record", "idle"}))
+      << "its own numerical uncertainty counts too";
 }
 
 TEST(RunSelection, TakesTheRepeatsOfACandidate) {
@@ -109,6 +117,23 @@ TEST(RunSelection, TakesTheRepeatsAtTheBoundsOfAnInputWhereARowRestsOnAnExperime
   definition.gate[0].kind = RowKind::validation;
   definition.gate[0].metric = Metric::peak_ks_p_value;
   EXPECT_FALSE(takes({.quick = true}));
+}
+
+TEST(RunSelection, TakesWhatTellsTheInputsOfARowThatRestsOnAnExperiment) {
+  CaseDefinition definition = tank();
+  definition.runs.push_back(run_of("record", RecordRun{}));
+  definition.runs.push_back(run_of("slow", particles(0.04)));
+  definition.gate[0].reference = "record";
+  EXPECT_EQ(selected({.only = {"tank/fine"}}, definition), (Names{"fine", "record"}));
+  definition.inputs = {{Input::amplitude, 0.001, "a ruler", "slow"}};
+  EXPECT_EQ(selected({.only = {"tank/fine"}}, definition),
+            (Names{"theory", "fine", "record", "slow"}));
+  EXPECT_EQ(selected({.only = {"tank/coarse"}}, definition),
+            (Names{"coarse", "mesh_20", "mesh_40"}));
+  definition.inputs = {{Input::kinematic_viscosity, 1e-7, "a table", "slow"}};
+  EXPECT_EQ(selected({.only = {"tank/fine"}}, definition), (Names{"fine", "record", "slow"}));
+  definition.gate[0].kind = RowKind::regression;
+  EXPECT_EQ(selected({.only = {"tank/fine"}}, definition), (Names{"fine", "record"}));
 }
 
 TEST(RunSelection, TakesAReferenceAloneWithoutTheCandidatesThatItJudges) {

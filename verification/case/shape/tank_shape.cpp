@@ -7,20 +7,15 @@ Outline corners_of(const TankDefinition& tank) {
   return {{0, 0}, {tank.length, 0}, {tank.length, tank.height}, {0, tank.height}};
 }
 
-double tank_area(const TankDefinition& tank) { return signed_area(corners_of(tank)); }
-
 Extent still_surface(const CaseDefinition& definition) {
   if (is_rectangle(definition.tank)) return {0, definition.tank.length};
   return extent_at(definition.tank.outline, definition.liquid.fill_depth);
 }
 
 double liquid_area(const CaseDefinition& definition) {
-  return liquid_area_below(definition, definition.liquid.fill_depth);
-}
-
-double liquid_area_below(const CaseDefinition& definition, double level) {
-  if (!is_rectangle(definition.tank)) return area_below(definition.tank.outline, level);
-  return definition.liquid.column_width.value_or(definition.tank.length) * level;
+  const double depth = definition.liquid.fill_depth;
+  if (!is_rectangle(definition.tank)) return area_below(definition.tank.outline, depth);
+  return definition.liquid.column_width.value_or(definition.tank.length) * depth;
 }
 
 int excited_mode_step(const TankDefinition& tank) {

@@ -11,16 +11,12 @@ inline bool is_rectangle(const TankDefinition& tank) { return tank.outline.empty
 // The corners of either shape, counter-clockwise.
 Outline corners_of(const TankDefinition& tank);
 
-// [m2], of the whole section.
-double tank_area(const TankDefinition& tank);
-
 // Where the still surface of the filled tank reaches; a dam about to break counts as spread over
 // the tank's length.
 Extent still_surface(const CaseDefinition& definition);
 
-// [m2], of the liquid's section at the start: of all of it, and of the part below a level.
+// [m2], of the liquid's section at the start.
 double liquid_area(const CaseDefinition& definition);
-double liquid_area_below(const CaseDefinition& definition, double level);
 
 // The tank's motion excites every mode of a section, but of a symmetric one only every second mode,
 // which is antisymmetric: the first, the third, ... Returns 1 or 2.

@@ -1,5 +1,4 @@
 // The inputs that the members of an ensemble draw.
-#include "verification/case/inputs/drawn_inputs.hpp"
 
 #include <gtest/gtest.h>
 

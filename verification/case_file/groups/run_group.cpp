@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "verification/case_file/key_table.hpp"
-#include "verification/input/name_pattern.hpp"
+#include "verification/input/nearest_name.hpp"
 
 namespace slosh {
 namespace {

@@ -9,6 +9,8 @@
 #include <sstream>
 
 #include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/tests/refusals.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::campaign_parser_test {
 namespace {
@@ -47,10 +49,14 @@ class CampaignParser : public ::testing::Test {
     }
   }
 
-  void expect_complaint(const std::string& text, const std::string& beginning) const {
-    const std::string message = complaint(text);
-    EXPECT_TRUE(message.starts_with(beginning))
-        << "got:    " << message << "\nwanted: " << beginning;
+  // The rows' mistakes, made in this campaign.
+  void refuse(const std::string& text, const std::string& rows) const {
+    Trial trial(text);
+    trial.complaint = [&](const fs::path& file) {
+      std::ifstream stream(file);
+      return complaint({std::istreambuf_iterator<char>(stream), {}});
+    };
+    expect_refusals(trial, rows);
   }
 
   fs::path directory_;
@@ -92,23 +98,23 @@ TEST_F(CampaignParser, TakesPathsRelativeToTheCampaign) {
 }
 
 TEST_F(CampaignParser, RefusesEachKindOfMistakeWithItsPlace) {
-  const std::string list = "cases = [\"li2010_small_amplitude\"]\n";
-  expect_complaint(head, "trial.toml:1: cases is missing: expected an array of texts");
-  expect_complaint(head + "cases = []\n",
-                   "trial.toml:5: cases = (an array): expected at least one case");
-  expect_complaint(head + "cases = [3]\n", "trial.toml:5: cases = 3: expected a text");
-  expect_complaint(
-      head + list + "tag = 1\n",
-      "trial.toml:6: tag = 1: expected only these keys here: schema_version, name, title, "
-      "source, paper, cases, problem, sweep, timing; nearest known key: name");
-  expect_complaint("schema_version = 1\nname = \"a b\"\n",
-                   "trial.toml:2: name = \"a b\": expected a name of");
-  expect_complaint("schema_version = 3\n", "trial.toml:1: schema_version = 3: expected 1");
-  expect_complaint(head + "cases = [\n\"li2010_small_amplitude\",\n\"li2010_small_amplitude\"]\n",
-                   "trial.toml:7: case = \"li2010_small_amplitude\": expected each case once");
-  expect_complaint(head + "cases = [\"no.toml\"]\n",
-                   "trial.toml:5: case = \"no.toml\": expected a file");
-  expect_complaint(head + "cases = [", "trial.toml:5:");
+  refuse(head + "cases = [\"li2010_small_amplitude\"]\n", R"(
+cases is missing: expected an array of texts
+cases = [] -> cases = (an array): expected at least one case
+cases = [3] -> cases = 3: expected a text
+tag = 1: expected only these keys here: schema_version, name, title, source, paper, cases, problem,
+  sweep, timing; nearest known key: name
+name = "a b": expected a name of
+schema_version = 3: expected 1
+paper = "another": expected one of li2010 | zhao2021
+)");
+  const auto refused = [&](const std::string& list, const char* message) {
+    EXPECT_TRUE(begins(complaint(head + list), message));
+  };
+  refused("cases = [\n\"li2010_small_amplitude\",\n\"li2010_small_amplitude\"]\n",
+          "trial.toml:7: case = \"li2010_small_amplitude\": expected each case once");
+  refused("cases = [\"no.toml\"]\n", "trial.toml:5: case = \"no.toml\": expected a file");
+  refused("cases = [", "trial.toml:5:");
 }
 
 const std::string eddy = "[[problem]]\nname = \"eddy\"\n";
@@ -141,54 +147,43 @@ TEST_F(CampaignParser, ReadsProblemsWithTheirGateRows) {
 TEST_F(CampaignParser, TakesALimitThatWasMeasuredBeforeForARegressionRow) {
   const auto campaign = read(head + eddy + order_row + "kind = \"regression\"\n");
   EXPECT_EQ(campaign.problems.at(0).gate.at(0).kind, RowKind::regression);
-  expect_complaint(head + eddy + order_row + "kind = \"regresion\"\n",
-                   "trial.toml:14: problem.gate.kind = \"regresion\": expected what the limit "
-                   "comes from, one of validation, regression; nearest: regression");
 }
 
 TEST_F(CampaignParser, RefusesEachKindOfMistakeInAProblem) {
-  const auto with = [](std::string text, const std::string& from, const std::string& to) {
-    return text.replace(text.find(from), from.size(), to);
-  };
-  expect_complaint(head + with(eddy, "eddy", "edy") + order_row,
-                   "trial.toml:6: problem.name = \"edy\": expected a problem, one of eddy, drop; "
-                   "nearest: eddy");
-  expect_complaint(head + eddy, "trial.toml:5: problem.gate is missing: expected at least one");
-  expect_complaint(head + eddy + order_row + eddy + order_row,
-                   "trial.toml:15: problem.name = \"eddy\": expected each problem once");
-  expect_complaint(head + eddy + "quick = true\n" + order_row,
-                   "trial.toml:7: problem.quick = true: expected only these keys here: name, gate");
-  expect_complaint(head + eddy + with(order_row, "velocity", "velocty"),
-                   "trial.toml:8: problem.gate.measure = \"velocty\": expected a measure of eddy, "
-                   "one of velocity, decay_rate; nearest: velocity");
-  expect_complaint(head + eddy + with(order_row, "order_at_least", "order"),
-                   "trial.toml:9: problem.gate.metric = \"order\": expected a metric, one of "
-                   "order_at_least, order_within, error_at_finest, largest_error; nearest: order");
-  expect_complaint(head + eddy + with(order_row, "\"1\"", "\"m/s\""),
-                   "trial.toml:10: problem.gate.unit = \"m/s\": expected the unit of "
-                   "order_at_least, which is 1");
-  expect_complaint(head + eddy + with(error_row, "\"m/s\"", "\"1\""),
-                   "trial.toml:10: problem.gate.unit = \"1\": expected the unit of largest_error, "
-                   "which is m/s");
-  expect_complaint(head + eddy + with(error_row, "0.1", "0"),
-                   "trial.toml:11: problem.gate.limit = 0: expected a number > 0");
-  expect_complaint(head + eddy + with(error_row, "limit = 0.1", "limit = 1e300"),
-                   "trial.toml:11: problem.gate.limit = 1e+300: expected a number > 0 and below "
-                   "1e+09, in m/s: a wider limit holds any error");
-  expect_complaint(head + eddy + with(within_row, "upper = -0.8", "upper = 1e300"),
-                   "trial.toml:12: problem.gate.upper = 1e+300: expected a number above lower "
-                   "(-1.2) and below 0.8: a wider range holds any order");
-  expect_complaint(head + eddy + order_row + with(order_row, "limit = 1.9", "limit = 0.1"),
-                   "trial.toml:14: problem.gate = a second bound on order_at_least of velocity: "
-                   "expected each metric of a measure once; the first is on line 7");
-  expect_complaint(head + eddy + with(order_row, "limit = 1.9", "lower = 1.9"),
-                   "trial.toml:7: problem.gate.limit is missing: expected limit alone");
-  expect_complaint(head + eddy + with(within_row, "lower = -1.2", "limit = 1"),
-                   "trial.toml:11: problem.gate.limit = 1: expected lower and upper, and no limit");
-  expect_complaint(head + eddy + with(within_row, "-0.8", "-1.3"),
-                   "trial.toml:12: problem.gate.upper = -1.3: expected a number above lower");
-  expect_complaint(head + eddy + with(order_row, "reason", "reasons"),
-                   "trial.toml:12: problem.gate.reasons = \"a reason\": expected only these keys");
+  refuse(head + eddy + order_row, R"(
+problem.gate.kind = "regresion": expected what the limit comes from, one of validation, regression;
+  nearest: regression
+problem.name = "edy": expected a problem, one of eddy, drop; nearest: eddy
+problem.quick = true: expected only these keys here: name, gate
+problem.gate.measure = "velocty": expected a measure of eddy, one of velocity, decay_rate; nearest:
+  velocity
+problem.gate.metric = "order": expected a metric, one of order_at_least, order_within,
+  error_at_finest, largest_error; nearest: order
+problem.gate.unit = "m/s": expected the unit of order_at_least, which is 1
+problem.gate.limit is missing & problem.gate.lower = 1.9 -> problem.gate.limit is missing: expected
+  limit alone
+problem.gate.reasons = "a reason": expected only these keys
+)");
+  refuse(head + eddy + error_row, R"(
+problem.gate.unit = "1": expected the unit of largest_error, which is m/s
+problem.gate.limit = 0: expected a number > 0
+problem.gate.limit = 1e+300: expected a number > 0 and below 1e+09, in m/s: a wider limit holds any
+  error
+)");
+  refuse(head + eddy + within_row, R"(
+problem.gate.upper = 1e+300: expected a number above lower (-1.2) and below 0.8: a wider range holds
+  any order
+problem.gate.lower is missing & problem.gate.limit = 1: expected lower and upper, and no limit
+problem.gate.upper = -1.3: expected a number above lower
+)");
+  refuse(head + eddy, "-> problem.gate is missing: expected at least one");
+  refuse(head + eddy + order_row + eddy + order_row, R"(
+-> problem.name = "eddy": expected each problem once
+)");
+  refuse(head + eddy + order_row + order_row, R"(
+problem.gate.limit = 0.1 -> problem.gate = a second bound on order_at_least of velocity: expected
+  each metric of a measure once; the first is on line 7
+)");
 }
 
 TEST_F(CampaignParser, TakesOneOfThePapersThatTheReportKnows) {
@@ -196,22 +191,14 @@ TEST_F(CampaignParser, TakesOneOfThePapersThatTheReportKnows) {
   for (const char* paper : {"li2010", "zhao2021"})
     EXPECT_EQ(read(head + "paper = \"" + paper + "\"\n" + list).paper, paper);
   EXPECT_EQ(read(head + list).paper, "");
-  EXPECT_TRUE(complaint(head + "paper = \"another\"\n" + list)
-                  .starts_with("trial.toml:5: paper = \"another\": expected one of li2010 | "
-                               "zhao2021"));
 }
 
 TEST_F(CampaignParser, NamesTheNearestCaseAndTheNearestCampaign) {
   const std::string message = complaint(head + "cases = [\n\"li2010_small_amplitud\"]\n");
-  EXPECT_TRUE(message.starts_with("trial.toml:6: case = \"li2010_small_amplitud\": expected"))
-      << message;
-  EXPECT_NE(message.find("nearest: li2010_small_amplitude, "), std::string::npos) << message;
-  try {
-    find_campaign("smal_amplitude", campaigns);
-    FAIL() << "found a campaign that is not there";
-  } catch (const CaseFileError& error) {
-    EXPECT_NE(std::string(error.what()).find("nearest: small_amplitude"), std::string::npos);
-  }
+  EXPECT_TRUE(begins(message, "trial.toml:6: case = \"li2010_small_amplitud\": expected"));
+  EXPECT_TRUE(holds(message, "nearest: li2010_small_amplitude, "));
+  EXPECT_TRUE(holds(message_of<CaseFileError>([&] { find_campaign("smal_amplitude", campaigns); }),
+                    "nearest: small_amplitude"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "verification/case_file/key_table.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::commented_case_test {
@@ -48,8 +49,8 @@ TEST(CommentedCase, NarrowsTablesOfSeveralRunsAndGroupsOfRowsToTheKeptRun) {
   const std::string text = commented_case(shipped("li2010_small_amplitude"), "my_tank");
   for (const char* line : {"\nname = \"recommended_10mm\"\n", "\nparticle_spacing_m = 0.01\n",
                            "\nquick = true\n", "\ncandidate = \"recommended_10mm\"\n"})
-    EXPECT_NE(text.find(line), text.npos) << line << "\nin\n" << text;
-  EXPECT_EQ(text.find("\ncandidates = "), text.npos) << text;
+    EXPECT_TRUE(holds(text, line)) << line << "\nin\n" << text;
+  EXPECT_FALSE(holds(text, "\ncandidates = "));
 }
 
 TEST(CommentedCase, ExplainsEachKeyOnceInTheWordsOfTheKeyTable) {
@@ -59,7 +60,7 @@ TEST(CommentedCase, ExplainsEachKeyOnceInTheWordsOfTheKeyTable) {
         "# fill_depth_m: number > 0 and below the tank's height, m. The still depth.\n",
         "# Not here: breadth_m: number > 0, m. The inner breadth of a narrow tank",
         "# A tank, seen from the side: a rectangle, a polygon or a lying cylinder."})
-    EXPECT_NE(text.find(line), text.npos) << line << "\nin\n" << text;
+    EXPECT_TRUE(holds(text, line)) << line << "\nin\n" << text;
   const std::string once = "# solver: text. The solver: one of the tables below.";
   EXPECT_EQ(text.find(once), text.rfind(once));
 }

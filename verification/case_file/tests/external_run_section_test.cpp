@@ -2,12 +2,12 @@
 // refused.
 #include <gtest/gtest.h>
 
+#include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::external_run_section_test {
 namespace {
 
-// The keys begin on line 55.
 const std::string command = "command = [\"./solve\", \"--case\", \"{case_file}\", \"\"]\n";
 const std::string series =
     "[[run.series]]\nquantity = \"elevation@right\"\nfile = \"out/swl.csv\"\n"
@@ -26,11 +26,6 @@ ExternalRun read_external(const std::string& keys) {
   for (std::filesystem::path& input : run.inputs)
     input = input.lexically_relative(workspace.path());
   return run;
-}
-
-std::string complaint_about_keys(const std::string& keys) {
-  const Workspace workspace;
-  return complaint(workspace.write("trial.toml", text_with(keys)));
 }
 
 TEST(ExternalRunSection, SaysWhatIsStartedAndWhatItLeaves) {
@@ -76,99 +71,146 @@ TEST(ExternalRunSection, NamesAMethodAndItsSpacing) {
 
 // Otherwise two methods would be shown, and judged, as one.
 TEST(ExternalRunSection, MayNotShareItsMethodWithAnotherOne) {
-  const std::string spacing = "particle_spacing_m = 0.02\n";
-  const auto complaint_about = [&](const std::string& method, const std::string& more = "") {
-    return complaint_about_keys(command + "method = \"" + method + "\"\n" + spacing + series +
-                                more);
-  };
-  EXPECT_NE(complaint_about("any").find("trial.toml:56: run.method = \"any\": expected a name that "
-                                        "does not stand for the run coarse too"),
-            std::string::npos)
-      << complaint_about("any");
-  EXPECT_NE(complaint_about("theory").find("does not stand for the run theory too"),
+  const std::string mine =
+      text_with(command + "method = \"mine_too\"\nparticle_spacing_m = 0.02\n" + series);
+  expect_refusals(mine, R"(
+run.method = "any": expected a name that does not stand for the run coarse too
+run.method = "theory": expected a name that does not stand for the run theory too
+run.method = "interFoam": expected a name that does not stand for the run mesh too
+)");
+  expect_refusals(mine +
+                      "[[run]]\nname = \"later\"\nsolver = \"sph\"\nscheme = \"mine_too\"\n"
+                      "particle_spacing_m = 0.02\n",
+                  R"(
+-> run.scheme = "mine_too": expected a name that does not stand for the run mine too
+)");
+  std::string again = mine.substr(mine.rfind("[[run]]"));
+  expect_refusals(mine + again.replace(again.find("mine"), 4, "again"), R"(
+-> run.particle_spacing_m = 0.02: expected a spacing that no other run of the method has; mine has
+  this one
+)");
+}
+
+// The coarse and the fine run of one method.
+std::string complaint_about_pair(const std::string& coarse, const std::string& fine,
+                                 const std::string& of_fine = "") {
+  const Workspace workspace;
+  for (const char* directory : {"c", "f"})
+    std::filesystem::create_directory(workspace.path() / directory);
+  for (const char* program : {"solve", "other", "c/run", "f/run"})
+    workspace.write(program, "#!/bin/sh\n");
+  for (const char* settings : {"c.cfg", "f.cfg", "swl.csv", "cost.json"})
+    workspace.write(settings, "1");
+  const std::string method = "method = \"my_sph\"\nparticle_spacing_m = ",
+                    taken =
+                        "[[run.series]]\nquantity = \"elevation@right\"\n"
+                        "file = \"swl.csv\"\nformat = \"csv\"\ncolumn = \"eta\"\n";
+  return complaint(workspace.write(
+      "trial.toml", text_with(coarse + method + "0.04\n" + taken +
+                              "[[run]]\nname = \"fine\"\nsolver = \"external\"\n" + fine + method +
+                              "0.02\n" + (of_fine.starts_with("[") ? of_fine : taken + of_fine))));
+}
+
+TEST(ExternalRunSection, OfAMethodDiffersInItsSpacingAlone) {
+  const std::string solve = "command = [\"./solve\", \"{particle_spacing_m}\"]\n";
+  const auto started = [](const std::string& words) { return "command = [" + words + "]\n"; };
+  const std::vector<std::pair<std::string, std::string>> programs{
+      {solve, started("\"./other\", \"{particle_spacing_m}\"")},
+      {started("\"python3\", \"prog.py\""), started("\"python3\", \"other.py\"")},
+      {started("\"mpirun\", \"-n\", \"2\", \"{case_directory}/solve\""),
+       started("\"mpirun\", \"-n\", \"4\", \"./other\"")}};
+  for (const auto& [coarse, fine] : programs)
+    EXPECT_NE(complaint_about_pair(coarse, fine)
+                  .find("run.method = \"my_sph\": expected a run that differs from mine in the "
+                        "spacing alone, and starts the same programs, "),
+              std::string::npos)
+        << fine << complaint_about_pair(coarse, fine);
+  EXPECT_NE(complaint_about_pair(started("\"./solve\""), started("\"./solve\""))
+                .find("and has another command or directory, as by {particle_spacing_m}"),
             std::string::npos);
-  EXPECT_NE(complaint_about("interFoam").find("does not stand for the run mesh too"),
-            std::string::npos);
-  const std::string later = "[[run]]\nname = \"later\"\nsolver = \"sph\"\nscheme = \"mine_too\"\n";
-  EXPECT_NE(complaint_about("mine_too", later + spacing)
-                .find("run.scheme = \"mine_too\": expected a name that does not stand for the run "
-                      "mine too"),
-            std::string::npos);
-  const std::string again = "[[run]]\nname = \"again\"\nsolver = \"external\"\n" + command +
-                            "method = \"my_sph\"\n" + spacing + series;
-  EXPECT_NE(complaint_about("my_sph", again)
-                .find("run.particle_spacing_m = 0.02: expected a spacing that no other run of the "
-                      "method has; mine has this one"),
-            std::string::npos)
-      << complaint_about("my_sph", again);
+  for (const char* key : {"scale = 1.1", "offset = 0.01", "datum = \"first\"", "unit = \"mm\"",
+                          "time_offset_s = 0.1", "time_column = \"t\""})
+    EXPECT_NE(complaint_about_pair(solve, solve, std::string(key) + "\n")
+                  .find("and takes elevation@right with the same format, column, unit, scale"),
+              std::string::npos)
+        << key;
+}
+
+// Of such a series the first value is 0 whatever the program prints.
+TEST(ExternalRunSection, ThatCountsFromItsFirstValueIsNotJudgedByIt) {
+  expect_refusals(text_with(command + series + "datum = \"first\"\n") +
+                      "[[gate]]\ncandidate = \"mine\"\nquantity = \"elevation@right\"\n"
+                      "metric = \"initial_value\"\nlimit = 0.001\nunit = \"m\"\nreason = \"r\"\n"
+                      "source = \"s\"\n",
+                  R"(
+-> gate.metric = "initial_value": expected another metric: elevation@right of mine counts from its
+  first value
+run.series.datum is missing: accepted
+)");
+}
+
+TEST(ExternalRunSection, OfAMethodMayHaveSettingsAndDirectoriesOfItsOwn) {
+  const std::vector<std::pair<std::string, std::string>> pairs{
+      {"command = [\"./solve\", \"{particle_spacing_m}\"]\n",
+       "command = [\"./solve\", \"{particle_spacing_m}\"]\n"},
+      {"command = [\"./solve\", \"c.cfg\"]\n", "command = [\"./solve\", \"f.cfg\"]\n"},
+      {"command = [\"./c/run\"]\n", "command = [\"./f/run\"]\n"},
+      {"command = [\"./solve\"]\ndirectory = \"c\"\n",
+       "command = [\"./solve\"]\ndirectory = \"f\"\n"},
+      {"command = [\"mpirun\", \"-n\", \"2\", \"./solve\", \"c.cfg\"]\n",
+       "command = [\"mpirun\", \"-n\", \"8\", \"./solve\", \"f.cfg\"]\n"}};
+  for (const auto& [coarse, fine] : pairs) {
+    EXPECT_EQ(complaint_about_pair(coarse, fine), "") << fine;
+    EXPECT_EQ(complaint_about_pair(coarse, fine,
+                                   "[[run.series]]\nquantity = \"elevation@right\"\nfile = "
+                                   "\"fine.csv\"\nformat = \"csv\"\ncolumn = \"eta\"\n"),
+              "")
+        << fine;
+  }
 }
 
 TEST(ExternalRunSection, IsRefusedByTheLineWhereItGoesWrong) {
-  const std::vector<std::pair<std::string, std::string>> keys{
-      {series, "trial.toml:52: run.command is missing: expected an array of texts"},
-      {"command = []\n" + series,
-       "trial.toml:55: run.command = (an array): expected a list of texts that begins with a "
-       "program"},
-      {"command = \"./solve --fast\"\n" + series,
-       "trial.toml:55: run.command = \"./solve --fast\""},
-      {command, "trial.toml:52: run.series is missing: expected at least one [[run.series]]"},
-      {command + "time_limit_s = 0\n" + series,
-       "trial.toml:56: run.time_limit_s = 0: expected a number > 0, in s"},
-      {command + "inputs = [\"none.txt\"]\n" + series,
-       "trial.toml:56: run.inputs = (an array): expected files, directories or patterns of them, "
-       "relative to the case file; there is no file in "},
-      {command + "inputs = [\"*.absent\"]\n" + series, "trial.toml:56: run.inputs = (an array)"},
-      {command + "inputs = [\"/dev/null\"]\n" + series, "trial.toml:56: run.inputs = (an array)"},
-      {command + "directory = \"none\"\n" + series,
-       "trial.toml:56: run.directory = \"none\": expected a directory relative to the case file"},
-      {command + "timelimit_s = 1\n" + series, "trial.toml:56: run.timelimit_s = 1: expected only"},
-      {command + "modes = 3\n" + series, "trial.toml:56: run.modes = 3: expected only these keys"},
-      {command + "fail_on = [\"NaN\", \"[0-9\"]\n" + series,
-       "trial.toml:56: run.fail_on = \"[0-9\": expected a regular expression of RE2"},
-      {command + "cores = 0\n" + series, "trial.toml:56: run.cores = 0: expected an integer >= 1"},
-      {command + "version_command = []\n" + series,
-       "trial.toml:56: run.version_command = (an array): expected a list of texts that begins with "
-       "a program"},
-      {command + "facts = \"../cost.json\"\n" + series,
-       "trial.toml:56: run.facts = \"../cost.json\": expected a file's path below the run's work "
-       "directory"},
-      {command + "method = \"my_sph\"\n" + series,
-       "trial.toml:52: run.particle_spacing_m is missing: expected the method's spacing in this "
-       "run, in m, beside method"},
-      {command + "particle_spacing_m = 0.02\n" + series,
-       "trial.toml:52: run.method is missing: expected the name of the method"},
-      {command + "method = \"my_sph\"\nparticle_spacing_m = 0.6\n" + series,
-       "trial.toml:57: run.particle_spacing_m = 0.6: expected a number > 0 and <= the fill depth "
-       "(0.5), in m"},
-      {command + series + "unit = \"Pa\"\n",
-       "trial.toml:61: run.series.unit = \"Pa\": expected a unit of elevation@right, one of m, cm"},
-      {command + series + "scale = 0\n",
-       "trial.toml:61: run.series.scale = 0: expected a number other than 0, without unit"},
-      {command + series + "scale = nan\n",
-       "trial.toml:61: run.series.scale = nan: expected a number other than 0, without unit"},
-      {command + series + "scale = -inf\n",
-       "trial.toml:61: run.series.scale = -inf: expected a number other than 0, without unit"},
-      {command + series + "offset = nan\n",
-       "trial.toml:61: run.series.offset = nan: expected a number, in m"},
-      {command + series + "datum = \"still\"\n",
-       "trial.toml:61: run.series.datum = \"still\": expected a datum, which is first"},
-      {command + series + "offset = 0.5\ndatum = \"first\"\n",
-       "trial.toml:62: run.series.datum = \"first\": expected no datum beside an offset"},
-      {command + series + "time_unit = \"h\"\n",
-       "trial.toml:61: run.series.time_unit = \"h\": expected a unit of time, one of s, ms, min"},
-      {command + series + series,
-       "trial.toml:62: run.series.quantity = \"elevation@right\": expected a quantity that no "
-       "other"},
-      {command + "[[run.series]]\nquantity = \"elevation@middle\"\n",
-       "trial.toml:57: run.series.quantity = \"elevation@middle\": expected a compared quantity"},
-      {command + "[[run.series]]\nquantity = \"elevation@right\"\nfile = \"/tmp/a.csv\"\n",
-       "trial.toml:58: run.series.file = \"/tmp/a.csv\": expected a file's path below the run's "
-       "work "
-       "directory"}};
-  for (const auto& [text, wanted] : keys) {
-    const std::string message = complaint_about_keys(text);
-    EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
-  }
+  expect_refusals(text_with(command + series), R"(
+run.command is missing: expected an array of texts
+run.command = [] -> run.command = (an array): expected a list of texts that begins with a program
+run.command = "./solve --fast": expected
+run.time_limit_s = 0: expected a number > 0, in s
+run.inputs = ["none.txt"] -> run.inputs = (an array): expected files, directories or patterns of them,
+  relative to the case file; there is no file in
+run.inputs = ["*.absent"] -> run.inputs = (an array): expected
+run.inputs = ["/dev/null"] -> run.inputs = (an array): expected
+run.directory = "none": expected a directory relative to the case file
+run.timelimit_s = 1: expected only
+run.modes = 3: expected only these keys
+run.fail_on = ["NaN", "[0-9"] -> run.fail_on = "[0-9": expected a regular expression of RE2
+run.cores = 0: expected an integer >= 1
+run.version_command = [] -> run.version_command = (an array): expected a list of texts that begins
+  with a program
+run.facts = "../cost.json": expected a file's path below the run's work directory
+run.method = "my_sph" -> run.particle_spacing_m is missing: expected the method's spacing in this
+  run, in m, beside method
+run.particle_spacing_m = 0.02 -> run.method is missing: expected the name of the method
+run.method = "my_sph" & run.particle_spacing_m = 0.6: expected a number > 0 and <= the fill depth
+  (0.5), in m
+run.series.unit = "Pa": expected a unit of elevation@right, one of m, cm
+run.series.scale = 0: expected a number other than 0, without unit
+run.series.scale = nan: expected a number other than 0, without unit
+run.series.scale = -inf: expected a number other than 0, without unit
+run.series.offset = nan: expected a number, in m
+run.series.datum = "still": expected a datum, which is first
+run.series.offset = 0.5 & run.series.datum = "first": expected no datum beside an offset
+run.series.column is missing: expected a text that is not empty
+run.series.format is missing: expected a text that is not empty
+run.series.time_unit = "h": expected a unit of time, one of s, ms, min
+run.series.quantity = "elevation@middle": expected a compared quantity
+run.series.file = "/tmp/a.csv": expected a file's path below the run's work directory
+)");
+  expect_refusals(text_with(command + series + series), R"(
+-> run.series.quantity = "elevation@right": expected a quantity that no other
+)");
+  expect_refusals(text_with(command), R"(
+-> run.series is missing: expected at least one [[run.series]]
+)");
 }
 
 const std::string pysph = "[[run]]\nname = \"peer\"\nsolver = \"pysph\"\nscheme = \"edac\"\n";
@@ -198,85 +240,64 @@ TEST(PysphRunSection, IsAnExternalRunOfTheShippedDriver) {
 }
 
 TEST(PysphRunSection, IsRefusedWhereTheDriverCannotFollow) {
-  const Workspace workspace;
-  const auto complaint_about = [&](const std::string& text) {
-    return complaint(workspace.write("trial.toml", text));
-  };
-  const std::string spacing = "particle_spacing_m = 0.05\n";
-  const std::vector<std::pair<std::string, std::string>> texts{
-      {with_pysph(""), "run.particle_spacing_m is missing"},
-      {with_pysph("particle_spacing_m = 0.03\n"),
-       "run.particle_spacing_m = 0.03: expected a whole fraction of the tank's length and of the "
-       "fill depth, 2 and 0.5 m, for pysph"},
-      {with_pysph(spacing + "command = [\"x\"]\n"), "run.command"},
-      {with_pysph(spacing + "[[obstacle]]\nname = \"baffle\"\nleft_m = 1\nright_m = "
-                            "1.1\nbottom_m = 0\ntop_m = 0.2\n"),
-       "run.solver = \"pysph\": expected another solver: pysph takes a tank with a [[gauge]]"}};
-  for (const auto& [text, wanted] : texts)
-    EXPECT_NE(complaint_about(text).find(wanted), std::string::npos)
-        << complaint_about(text) << "\nwanted: " << wanted;
-  std::string unknown = with_pysph(spacing);
-  unknown.replace(unknown.find("edac"), 4, "tvf");
-  EXPECT_NE(complaint_about(unknown).find("run.scheme = \"tvf\": expected a scheme of PySPH's "
-                                          "driver"),
-            std::string::npos)
-      << complaint_about(unknown);
+  const std::string text = with_pysph("particle_spacing_m = 0.05\n");
+  expect_refusals(text, R"(
+run.particle_spacing_m is missing: expected
+run.particle_spacing_m = 0.03: expected a whole fraction of the tank's length and of the fill depth,
+  2 and 0.5 m, for pysph
+run.command = ["x"] -> run.command = (an array): expected
+run.scheme = "tvf": expected a scheme of PySPH's driver
+)");
+  expect_refusals(text +
+                      "[[obstacle]]\nname = \"baffle\"\nleft_m = 1\nright_m = 1.1\nbottom_m = "
+                      "0\ntop_m = 0.2\n",
+                  R"(
+-> run.solver = "pysph": expected another solver: pysph takes a tank with a [[gauge]]
+)");
   // Two runs of one scheme differ in their spacing.
-  std::string twice = with_pysph(spacing) + pysph + spacing;
+  std::string twice = text + pysph + "particle_spacing_m = 0.05\n";
   twice.replace(twice.rfind("peer"), 4, "also");
-  EXPECT_NE(complaint_about(twice).find("expected a spacing that no other run of the method has"),
-            std::string::npos)
-      << complaint_about(twice);
+  expect_refusals(twice, R"(
+-> run.particle_spacing_m = 0.05: expected a spacing that no other run of the method has
+)");
 }
 
-std::string stored_keys(const std::string& facts, const std::string& file) {
-  return "facts = \"" + facts + "\"\nmethod = \"their_sph\"\nparticle_spacing_m = 0.02\n" +
-         "[[run.series]]\nquantity = \"elevation@right\"\nfile = \"" + file +
-         "\"\nformat = \"csv\"\ncolumn = \"eta\"\n";
-}
-
-std::string stored_text(const std::string& keys) {
-  const std::string text = valid_text.substr(0, valid_text.find("[[gate]]"));
-  return text + "[[run]]\nname = \"theirs\"\nsolver = \"stored\"\n" + keys;
-}
+const std::string stored = valid_text.substr(0, valid_text.find("[[gate]]")) + R"([[run]]
+name = "theirs"
+solver = "stored"
+facts = "cost.json"
+method = "their_sph"
+particle_spacing_m = 0.02
+[[run.series]]
+quantity = "elevation@right"
+file = "swl.csv"
+format = "csv"
+column = "eta"
+)";
+const std::map<std::string, std::string> stored_files{{"swl.csv", "t,eta\n"}, {"cost.json", "{}"}};
 
 TEST(StoredRunSection, NamesFilesBesideTheCaseFile) {
-  const Workspace workspace;
-  workspace.write("swl.csv", "t,eta\n");
-  workspace.write("cost.json", "{}");
-  const CaseDefinition definition =
-      read_case(workspace.write("trial.toml", stored_text(stored_keys("cost.json", "swl.csv"))));
+  const CaseDefinition definition = read_trial({stored, stored_files});
   const StoredRun run = std::get<StoredRun>(definition.runs.back().solver);
   EXPECT_EQ(run.method, "their_sph");
   EXPECT_EQ(run.particle_spacing, 0.02);
-  EXPECT_EQ(run.facts, workspace.path() / "cost.json");
   ASSERT_EQ(run.series.size(), 1u);
-  EXPECT_EQ(run.series[0].file, workspace.path() / "swl.csv");
+  EXPECT_TRUE(run.facts.is_absolute());
+  EXPECT_EQ(run.facts.filename(), "cost.json");
+  EXPECT_EQ(run.series[0].file, run.facts.parent_path() / "swl.csv");
 }
 
 TEST(StoredRunSection, IsRefusedWhereAFileIsMissingOrAMethodShared) {
-  const Workspace workspace;
-  workspace.write("swl.csv", "t,eta\n");
-  workspace.write("cost.json", "{}");
-  const auto complaint_about = [&](const std::string& keys) {
-    return complaint(workspace.write("trial.toml", stored_text(keys)));
-  };
-  EXPECT_NE(complaint_about(stored_keys("none.json", "swl.csv"))
-                .find("trial.toml:55: run.facts = \"none.json\": expected a file relative to the "
-                      "case file; there is no "),
-            std::string::npos);
-  EXPECT_NE(complaint_about(stored_keys("cost.json", "none.csv"))
-                .find("run.series.file = \"none.csv\": expected a file relative to the case file"),
-            std::string::npos);
-  const std::string keys = stored_keys("cost.json", "swl.csv");
-  const std::string again = "[[run]]\nname = \"again\"\nsolver = \"stored\"\n" + keys;
-  EXPECT_NE(complaint_about(keys + again)
-                .find("run.particle_spacing_m = 0.02: expected a spacing that no other run of the "
-                      "method has; theirs has this one"),
-            std::string::npos)
-      << complaint_about(keys + again);
-  EXPECT_NE(complaint_about("command = [\"a\"]\n" + keys).find("run.command = "), std::string::npos)
-      << "no program is started";
+  expect_refusals({stored, stored_files}, R"(
+run.facts = "none.json": expected a file relative to the case file; there is no
+run.series.file = "none.csv": expected a file relative to the case file
+run.command = ["a"] -> run.command = (an array): expected only
+)");
+  std::string again = stored.substr(stored.rfind("[[run]]"));
+  expect_refusals({stored + again.replace(again.find("theirs"), 6, "again"), stored_files}, R"(
+-> run.particle_spacing_m = 0.02: expected a spacing that no other run of the method has; theirs has
+  this one
+)");
 }
 
 }  // namespace

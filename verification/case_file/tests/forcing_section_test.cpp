@@ -9,6 +9,8 @@
 #include <sstream>
 
 #include "verification/case/motion.hpp"
+#include "verification/case_file/tests/refusals.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/published_records.hpp"
 #include "verification/tests/trial_case.hpp"
 
@@ -66,57 +68,46 @@ TEST(ForcingSection, FindsItBehindNoise) {
 TEST(ForcingSection, NamesWhatToWriteForATableOfTwoSines) {
   const auto two = [](double t) { return sine(t) + 0.015 * std::sin(5 * t); };
   const std::string message = complaint_with(table_of(two), from_spectrum);
-  EXPECT_TRUE(
-      message.starts_with("trial.toml:34: comparison.forcing = \"from_spectrum\": expected "
-                          "a motion table that is nearly one sine from 1 to 20 s, the "
-                          "window of the comparison; surge.csv: the rest beside the sine "
-                          "of 0.461"))
-      << message;
-  EXPECT_NE(message.find("the next peak is at 0.79"), std::string::npos) << message;
-  EXPECT_NE(message.find("Write forcing_frequency_Hz or forcing_period_s instead to name the "
-                         "frequency that is meant"),
-            std::string::npos);
+  EXPECT_TRUE(begins(message,
+                     "trial.toml:34: comparison.forcing = \"from_spectrum\": expected "
+                     "a motion table that is nearly one sine from 1 to 20 s, the "
+                     "window of the comparison; surge.csv: the rest beside the sine "
+                     "of 0.461"));
+  EXPECT_TRUE(holds(message, "the next peak is at 0.79"));
+  EXPECT_TRUE(holds(message,
+                    "Write forcing_frequency_Hz or forcing_period_s instead to name the "
+                    "frequency that is meant"));
   EXPECT_NEAR(forcing_frequency(read_with(table_of(two),
                                           "natural_modes = 2\nforcing_angular_frequency_rad_s = "
                                           "5\n")),
               5, 0);
 }
 
-TEST(ForcingSection, RefusesASpectrumThatIsNotATablesOrIsNamedBeside) {
-  EXPECT_EQ(complaint_about({"natural_modes = 2\n", from_spectrum}),
-            "trial.toml:35: comparison.forcing = \"from_spectrum\": expected no such key without a "
-            "motion table: a sine has its own frequency");
-  EXPECT_EQ(complaint_with(table_of(sine), from_spectrum + "forcing_period_s = 2\n"),
-            "trial.toml:35: comparison.forcing_period_s = 2: expected no such key beside forcing");
-  EXPECT_NE(complaint_with(table_of(sine), "natural_modes = 2\nforcing = \"spectrum\"\n")
-                .find("comparison.forcing = \"spectrum\": expected how the frequency of a motion "
-                      "table is known, which is from_spectrum"),
-            std::string::npos);
-}
-
-TEST(ForcingSection, NamesTheKeysWhereARowAsksForTheForcedModeOfATable) {
-  const std::string message = complaint_with(table_of(sine), "natural_modes = 2\n");
-  EXPECT_NE(message.find("gate.mode = \"forced\": expected"), std::string::npos) << message;
-  EXPECT_NE(message.find("the table has a forced mode where [comparison] gives "
-                         "forcing_frequency_Hz, or forcing = \"from_spectrum\""),
-            std::string::npos)
-      << message;
+TEST(ForcingSection, RefusesASpectrumThatIsNotATablesOrIsNamedBesideOrIsNeeded) {
+  expect_refusals(valid_text, R"(
+comparison.forcing = "from_spectrum": expected no such key without a motion table: a sine has its own
+  frequency
+)");
+  expect_refusals({with_comparison(from_spectrum), {{"surge.csv", table_of(sine)}}}, R"(
+comparison.forcing_period_s = 2: expected no such key beside forcing
+comparison.forcing = "spectrum": expected how the frequency of a motion table is known, which is
+  from_spectrum
+comparison.forcing is missing -> gate.mode = "forced": expected ... the table has a forced mode where
+  [comparison] gives forcing_frequency_Hz, or forcing = "from_spectrum"
+)");
 }
 
 // A period can be uncertain only where the motion has one.
 TEST(ForcingSection, HasAnUncertainPeriodOnlyOfATableWhosePeriodIsKnown) {
   const std::string input =
       "[[input]]\nname = \"period\"\nunit = \"s\"\nhalf_width = 0.01\nsource = \"none\"\n";
-  const std::string text = with_comparison(from_spectrum) + input;
-  const Workspace workspace;
-  workspace.write("surge.csv", table_of(sine));
-  EXPECT_EQ(read_case(workspace.write("trial.toml", text)).inputs.size(), 1u);
-  std::string unnamed = with_comparison("natural_modes = 2\n");
-  unnamed.resize(unnamed.find("[[gate]]"));
-  EXPECT_NE(complaint(workspace.write("trial.toml", unnamed + input))
-                .find("input.name = \"period\": expected an input that this case has: its motion "
-                      "has no single period"),
-            std::string::npos);
+  std::string text = with_comparison(from_spectrum);
+  text = text.substr(0, text.find("[[gate]]")) + input;
+  expect_refusals({text, {{"surge.csv", table_of(sine)}}}, R"(
+input.half_width = 0.01: accepted
+comparison.forcing is missing -> input.name = "period": expected an input that this case has: its
+  motion has no single period
+)");
 }
 
 // The shipped roll of SPHERIC benchmark 10 declares 3.840445 rad/s, fitted to the whole record.
@@ -124,7 +115,7 @@ TEST(ForcingSection, FindsTheFrequencyOfTheShippedRoll) {
   std::ifstream stream(SLOSH_SOURCE_DIR "/verification/cases/zhao2021_violent_roll.toml");
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   const std::string declared = "forcing_angular_frequency_rad_s = 3.840445";
-  ASSERT_NE(text.find(declared), std::string::npos);
+  ASSERT_TRUE(holds(text, declared));
   text.replace(text.find(declared), declared.size(), "forcing = \"from_spectrum\"");
   const Workspace workspace;
   const std::filesystem::path cases = SLOSH_SOURCE_DIR "/verification/cases";

@@ -2,6 +2,7 @@
 // mistake is refused with its line.
 #include <gtest/gtest.h>
 
+#include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::impacts_section_test {
@@ -21,16 +22,9 @@ plateau_Pa = 670
 source = "a paper"
 )";
 const std::string arrivals = "arrival_share = 0.3\narrivals_s = [2.37, 4.06, 5.7]\n";
-const std::string peaks = "mbar\n1st 2nd 3rd 4th\n30 40 50 60\n31 41 51 61\n";
 
 std::string text_with(const std::string& section) {
   return edited({"[comparison]", gauge + section + "[comparison]"});
-}
-
-ImpactsDefinition read_impacts_of(const std::string& section, const Workspace& experiments) {
-  const Workspace workspace;
-  return read_case(workspace.write("trial.toml", text_with(section)), experiments.path())
-      .impacts.value();
 }
 
 TEST(Impacts, AreReadAsPublished) {
@@ -46,124 +40,65 @@ TEST(Impacts, AreReadAsPublished) {
   EXPECT_TRUE(read.peak_table.empty());
   EXPECT_TRUE(read.repeats.empty());
   EXPECT_EQ(read.source, "a paper");
+  EXPECT_FALSE(read_text(valid_text).impacts);
 }
 
-TEST(Impacts, AreOnlyWhereACaseSaysSo) { EXPECT_FALSE(read_text(valid_text).impacts); }
-
-TEST(Impacts, HaveTheRepeatsOfATableThatIsSuppliedForTheirTimes) {
-  const Workspace experiments;
-  experiments.write("peaks.txt", peaks);
-  const ImpactsDefinition read =
-      read_impacts_of(impacts + "peak_table = \"peaks.txt\"\n", experiments);
-  EXPECT_EQ(read.repeats,
+TEST(Impacts, HaveTheRepeatsOfATableWhereItIsSupplied) {
+  const std::string text = with_keys(text_with(impacts), "impacts.peak_table = \"peaks.txt\"");
+  const std::string peaks = "mbar\n1st 2nd 3rd 4th\n30 40 50 60\n31 41 51 61\n";
+  EXPECT_EQ(read_trial({text, {{"peaks.txt", peaks}}}).impacts->repeats,
             (std::vector<std::vector<double>>{{3000, 3100}, {4000, 4100}, {5000, 5100}}));
-}
-
-TEST(Impacts, HaveNoRepeatsWhereTheTableIsNotSupplied) {
-  const Workspace experiments;
-  const std::string section = impacts + "peak_table = \"peaks.txt\"\n";
-  const ImpactsDefinition absent = read_impacts_of(section, experiments);
+  const ImpactsDefinition absent = read_trial(text).impacts.value();
   EXPECT_TRUE(absent.repeats.empty());
-  EXPECT_EQ(absent.peak_table, experiments.path() / "peaks.txt");
-  const ImpactsDefinition unnamed = read_text(text_with(section)).impacts.value();
+  EXPECT_EQ(absent.peak_table.filename(), "peaks.txt");
+  const ImpactsDefinition unnamed = read_text(text).impacts.value();
   EXPECT_TRUE(unnamed.repeats.empty());
   EXPECT_EQ(unnamed.peak_table, "SLOSH_EXPERIMENTS/peaks.txt");
+  expect_refusals_of(
+      "peaks.txt", text,
+      "mbar | 1st 2nd 3rd 4th | 30 40 50 -> 3: row = 30 40 50: expected four numbers");
 }
-
-TEST(Impacts, AreRefusedByTheTablesOwnLine) {
-  const Workspace workspace;
-  workspace.write("peaks.txt", "mbar\n1st 2nd 3rd 4th\n30 40 50\n");
-  const std::string message =
-      complaint(workspace.write("trial.toml", text_with(impacts + "peak_table = \"peaks.txt\"\n")),
-                workspace.path());
-  EXPECT_TRUE(message.starts_with("peaks.txt:3: row = 30 40 50: expected four numbers")) << message;
-}
-
-struct Wrong {
-  Edit edit;
-  std::string message;
-};
 
 TEST(Impacts, AreRefusedByTheirLine) {
-  const std::vector<Wrong> mistakes{
-      {{"\"B\"", "\"C\""},
-       "trial.toml:36: impacts.gauge = \"C\": expected a pressure gauge, which is B"},
-      {{"[2.375,", "[0.3,"},
-       "trial.toml:37: impacts.times_s = 0.3: expected a number from 0.4 to 19.6, in s: a quarter "
-       "of the period inside the run"},
-      {{"5.718]", "19.7]"}, "trial.toml:37: impacts.times_s = 19.7: expected a number from 0.4"},
-      {{"[2.375, 4.073, 5.718]", "[]"},
-       "trial.toml:37: impacts.times_s = (an array): expected an array of at least one number"},
-      {{"times_s = [2.375, 4.073, 5.718]\n", ""},
-       "trial.toml:35: impacts.times_s is missing: expected an array of at least one number"},
-      {{"4.073", "2.9"},
-       "trial.toml:37: impacts.times_s = (an array): expected numbers at least half a period "
-       "(0.8) apart, in s"},
-      {{"4.073", "nan"}, "trial.toml:37: impacts.times_s = nan: expected"},
-      {{"period_s = 1.6", "period_s = 0"},
-       "trial.toml:38: impacts.period_s = 0: expected a number > 0, in s"},
-      {{"[3710, 4816, 4691.5]", "[3710, 4816]"},
-       "trial.toml:39: impacts.peaks_Pa = (an array): expected as many numbers as times_s has, 3, "
-       "in Pa"},
-      {{"4816", "\"4816\""},
-       "trial.toml:39: impacts.peaks_Pa = \"4816\": expected a number > 0, in Pa"},
-      {{"peaks_Pa = [3710, 4816, 4691.5]\n", ""},
-       "trial.toml:35: impacts.peaks_Pa is missing: expected an array of numbers, each a number > "
-       "0, in Pa"},
-      {{"[732, 1501, 1706]", "732"},
-       "trial.toml:40: impacts.peaks_sd_Pa = 732: expected an array of numbers"},
-      {{"1501", "0"}, "trial.toml:40: impacts.peaks_sd_Pa = 0: expected a number > 0, in Pa"},
-      {{"= 2.45", "= -1"}, "trial.toml:41: impacts.plateau_begin_s = -1: expected a number >= 0"},
-      {{"= 2.65", "= 2.45"},
-       "trial.toml:42: impacts.plateau_end_s = 2.45: expected a number above plateau_begin_s "
-       "(2.45) and <= duration_s (20), in s"},
-      {{"= 2.65", "= 21"}, "trial.toml:42: impacts.plateau_end_s = 21: expected"},
-      {{"= 670", "= inf"}, "trial.toml:43: impacts.plateau_Pa = inf: expected a number > 0, in Pa"},
-      {{"source = \"a paper\"\n", ""},
-       "trial.toml:35: impacts.source is missing: expected a text that is not empty"},
-      {{"source", "colour = 1\nsource"},
-       "trial.toml:44: impacts.colour = 1: expected only these keys here: gauge, times_s, "},
-      {{"source", "peak_table = \"../peaks.txt\"\nsource"},
-       "trial.toml:44: impacts.peak_table = \"../peaks.txt\": expected a peak table's path below "
-       "the directory of the experiments"},
-      {{"source = ", "peak_table = 3\nsource = "},
-       "trial.toml:44: impacts.peak_table = 3: expected a peak table's path"}};
-  for (const Wrong& mistake : mistakes) {
-    std::string section = impacts;
-    const std::size_t at = section.find(mistake.edit.from);
-    ASSERT_NE(at, section.npos) << mistake.edit.from;
-    section.replace(at, mistake.edit.from.size(), mistake.edit.to);
-    const Workspace workspace;
-    const std::string message = complaint(workspace.write("trial.toml", text_with(section)));
-    EXPECT_TRUE(message.starts_with(mistake.message))
-        << "got:    " << message << "\nwanted: " << mistake.message;
-  }
-}
-
-TEST(Impacts, OfMoreTimesThanTheTableHoldsTakeNoTable) {
-  const std::string five = R"([impacts]
-gauge = "B"
-times_s = [2, 4, 6, 8, 10]
-period_s = 1.6
-peaks_Pa = [1, 1, 1, 1, 1]
-peaks_sd_Pa = [1, 1, 1, 1, 1]
-plateau_begin_s = 2.45
-plateau_end_s = 2.65
-plateau_Pa = 670
-source = "a paper"
-)";
-  EXPECT_EQ(read_text(text_with(five)).impacts->times.size(), 5u);
-  const Workspace workspace;
-  EXPECT_TRUE(complaint(workspace.write("trial.toml", text_with(five + "peak_table = \"p\"\n")))
-                  .starts_with("trial.toml:45: impacts.peak_table = \"p\": expected at most 4 "
-                               "times_s beside it, one for each impact of a row; here are 5"));
-}
-
-TEST(Impacts, NeedAPressureGauge) {
-  EXPECT_TRUE(
-      complaint_about({"[comparison]", impacts + "[comparison]"})
-          .starts_with("trial.toml:32: impacts.gauge = \"B\": expected a pressure gauge, of "
-                       "which there is none"));
+  expect_refusals(text_with(impacts), R"(
+impacts.gauge = "C": expected a pressure gauge, which is B
+impacts.times_s = [0.3, 4.073, 5.718] -> impacts.times_s = 0.3: expected a number from 0.4 to 19.6,
+  in s: a quarter of the period inside the run
+impacts.times_s = [2.375, 4.073, 19.7] -> impacts.times_s = 19.7: expected a number from 0.4
+impacts.times_s = [] -> impacts.times_s = (an array): expected an array of at least one number
+impacts.times_s is missing: expected an array of at least one number
+impacts.times_s = [2.375, 2.9, 5.718] -> impacts.times_s = (an array): expected numbers at least half
+  a period (0.8) apart, in s
+impacts.times_s = [2.375, nan, 5.718] -> impacts.times_s = nan: expected
+impacts.period_s = 0: expected a number > 0, in s
+impacts.peaks_Pa = [3710, 4816] -> impacts.peaks_Pa = (an array): expected as many numbers as times_s
+  has, 3, in Pa
+impacts.peaks_Pa = [3710, "4816", 4691.5] -> impacts.peaks_Pa = "4816": expected a number > 0, in Pa
+impacts.peaks_Pa is missing: expected an array of numbers, each a number > 0, in Pa
+impacts.peaks_sd_Pa = 732: expected an array of numbers
+impacts.peaks_sd_Pa = [732, 0, 1706] -> impacts.peaks_sd_Pa = 0: expected a number > 0, in Pa
+impacts.plateau_begin_s = -1: expected a number >= 0
+impacts.plateau_end_s = 2.45: expected a number above plateau_begin_s (2.45) and <= duration_s (20),
+  in s
+impacts.plateau_end_s = 21: expected
+impacts.plateau_Pa = inf: expected a number > 0, in Pa
+impacts.source is missing: expected a text that is not empty
+impacts.colour = 1: expected only these keys here: gauge, times_s,
+impacts.peak_table = "../peaks.txt": expected a peak table's path below the directory of the
+  experiments
+impacts.peak_table = 3: expected a peak table's path
+)");
+  expect_refusals(with_keys(text_with(impacts),
+                            "impacts.times_s = [2, 4, 6, 8, 10] & impacts.peaks_Pa = [1, 1, 1, 1, "
+                            "1] & impacts.peaks_sd_Pa = [1, 1, 1, 1, 1]"),
+                  R"(
+impacts.source = "five": accepted
+impacts.peak_table = "p": expected at most 4 times_s beside it, one for each impact of a row; here
+  are 5
+)");
+  expect_refusals(valid_text + impacts, R"(
+-> impacts.gauge = "B": expected a pressure gauge, of which there is none
+)");
 }
 
 std::string gate_row(const std::string& keys) {
@@ -194,31 +129,22 @@ TEST(GateOnImpacts, TakesThePressureAtTheirGauge) {
 }
 
 TEST(GateOnImpacts, IsRefusedByItsLine) {
-  const std::string pressure = "wall_pressure@B";
-  const std::vector<std::pair<std::string, std::string>> mistakes{
-      {row_on(pressure, "impact_1", "impact_time", "s", limit),
-       "gate.metric = \"impact_time\": expected a metric, one of amplitude_error, "},
-      {row_on("wall_pressure@C", "impact_1", "impact_arrival", "s", limit),
-       "gate.quantity = \"wall_pressure@C\": expected the pressure at the gauge of [impacts], "
-       "which "
-       "is wall_pressure@B"},
-      {row_on(pressure, "impact_4", "impact_arrival", "s", limit),
-       "gate.mode = \"impact_4\": expected what impact_arrival is measured on, one of impact_1, "
-       "impact_2, impact_3"},
-      {row_on(pressure, "impact_1", "plateau_error", "1", limit),
-       "gate.mode = \"impact_1\": expected what plateau_error is measured on, which is whole"},
-      {row_on(pressure, "impact_1", "impact_arrival", "ms", limit),
-       "gate.unit = \"ms\": expected the unit of impact_arrival, which is s"},
-      {row_on(pressure, "impact_1", "impact_arrival", "s", "limit = 0.1\nreference = \"theory\""),
-       "gate.reference = \"theory\": expected no reference: impact_arrival is measured on the "
-       "published impacts"}};
-  for (const auto& [row, wanted] : mistakes) {
-    const Workspace workspace;
-    const std::string message =
-        complaint(workspace.write("trial.toml", text_with(impacts + arrivals) + row));
-    EXPECT_NE(message.find(wanted), message.npos)
-        << "got:    " << message << "\nwanted: " << wanted;
-  }
+  const std::string arrival = row_on("wall_pressure@B", "impact_1", "impact_arrival", "s", limit);
+  expect_refusals(text_with(impacts + arrivals) + arrival, R"(
+gate.metric = "impact_time": expected a metric, one of amplitude_error,
+gate.quantity = "wall_pressure@C": expected the pressure at the gauge of [impacts], which is
+  wall_pressure@B
+gate.mode = "impact_4": expected what impact_arrival is measured on, one of impact_1, impact_2,
+  impact_3
+gate.metric = "plateau_error" & gate.unit = "1" -> gate.mode = "impact_1": expected what
+  plateau_error is measured on, which is whole
+gate.unit = "ms": expected the unit of impact_arrival, which is s
+gate.reference = "theory": expected no reference: impact_arrival is measured on the published impacts
+)");
+  expect_refusals(valid_text + arrival, R"(
+gate.quantity = "elevation@right" -> gate.metric = "impact_arrival": expected a metric that needs no
+  [impacts]
+)");
 }
 
 TEST(GateOnImpacts, TakesThePeaksOfAnEnsembleAgainstTheTableOfRepeats) {
@@ -231,33 +157,15 @@ TEST(GateOnImpacts, TakesThePeaksOfAnEnsembleAgainstTheTableOfRepeats) {
   ASSERT_EQ(definition.gate.size(), 5u);
   EXPECT_EQ(definition.gate[1].between, (std::pair{0.05, 1.0}));
   EXPECT_TRUE(definition.gate[1].reference.empty());
-  const auto said = [&](const std::string& section, const std::string& row) {
-    const Workspace workspace;
-    return complaint(workspace.write("trial.toml", text_with(section) + row));
-  };
-  EXPECT_NE(
-      said(impacts, row_on(pressure, "impact_1", "peak_median_error", "1", limit))
-          .find(
-              "gate.metric = \"peak_median_error\": expected a metric that needs no peak_table in "
-              "[impacts], which this case does not have"),
-      std::string::npos);
-  EXPECT_NE(said(table, row_on(pressure, "impact_1", "peak_ks_p_value", "1", limit))
-                .find("gate = a row on peak_ks_p_value: expected lower with upper"),
-            std::string::npos);
-  EXPECT_NE(
-      said(table, row_on(pressure, "whole", "peak_median_error", "1", limit))
-          .find("gate.mode = \"whole\": expected what peak_median_error is measured on, one of "
-                "impact_1"),
-      std::string::npos);
-}
-
-TEST(GateOnImpacts, NeedsThem) {
-  const Workspace workspace;
-  const std::string row = row_on("elevation@right", "impact_1", "impact_arrival", "s", limit);
-  EXPECT_NE(
-      complaint(workspace.write("trial.toml", valid_text + row))
-          .find("gate.metric = \"impact_arrival\": expected a metric that needs no [impacts]"),
-      std::string::npos);
+  const std::string median = row_on(pressure, "impact_1", "peak_median_error", "1", limit);
+  expect_refusals(text_with(table) + median, R"(
+gate.metric = "peak_ks_p_value" -> gate = a row on peak_ks_p_value: expected lower with upper
+gate.mode = "whole": expected what peak_median_error is measured on, one of impact_1
+)");
+  expect_refusals(text_with(impacts) + median, R"(
+-> gate.metric = "peak_median_error": expected a metric that needs no peak_table in [impacts], which
+  this case does not have
+)");
 }
 
 const std::string single = R"([impacts]
@@ -292,28 +200,18 @@ TEST(Impacts, MayBeASingleOneWithItsArrivalAndItsImpulse) {
 }
 
 TEST(Impacts, AreRefusedWhereASingleOneIsMistaken) {
-  const auto said = [](const std::string& from, const std::string& to) {
-    const Workspace workspace;
-    std::string section = single;
-    section.replace(section.find(from), from.size(), to);
-    return complaint(workspace.write("trial.toml", text_with(section)), workspace.path());
-  };
-  EXPECT_NE(said("sought_within_s = 0.2\n", "sought_within_s = 0.2\nperiod_s = 1\n")
-                .find("no such key beside period_s"),
-            std::string::npos);
-  EXPECT_NE(said("arrival_share = 0.3", "arrival_share = 1").find("a number > 0 and < 1"),
-            std::string::npos);
-  EXPECT_NE(said("[2.36]", "[2.36, 3]").find("as many numbers as times_s has, 1, in s"),
-            std::string::npos);
-  EXPECT_NE(said("arrival_share = 0.3\narrivals_s = [2.36]\n", "")
-                .find("no such key without arrival_share and arrivals_s"),
-            std::string::npos);
-  EXPECT_NE(said("rise_times_s = [0.004]\n", "").find("no such key without rise_times_s"),
-            std::string::npos);
-  EXPECT_NE(said("[0.004]", "[0]").find("impacts.rise_times_s = 0: expected a number > 0, in s"),
-            std::string::npos);
-  EXPECT_NE(said("sought_within_s = 0.2\n", "period_s = 1\n").find("peaks_sd_Pa is missing"),
-            std::string::npos);
+  expect_refusals(text_with(single), R"(
+impacts.period_s = 1 -> impacts.sought_within_s = 0.2: expected no such key beside period_s
+impacts.arrival_share = 1: expected a number > 0 and < 1
+impacts.arrivals_s = [2.36, 3] -> impacts.arrivals_s = (an array): expected as many numbers as
+  times_s has, 1, in s
+impacts.arrival_share is missing & impacts.arrivals_s is missing -> impacts.arrivals_half_width_s =
+  0.001: expected no such key without arrival_share and arrivals_s
+impacts.rise_times_s is missing -> impacts.rise_times_half_width_s = 0.0005: expected no such key
+  without rise_times_s
+impacts.rise_times_s = [0] -> impacts.rise_times_s = 0: expected a number > 0, in s
+impacts.sought_within_s is missing & impacts.period_s = 1 -> impacts.peaks_sd_Pa is missing: expected
+)");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "verification/case/quantities.hpp"
+#include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::probe_section_test {
@@ -18,25 +19,22 @@ TEST(ProbeSection, GivesAPlaceInTheTank) {
 }
 
 TEST(ProbeSection, RefusesAPlaceOutsideTheTankAndANameGivenTwice) {
-  const auto with = [](const std::string& tables) {
-    return complaint_about({"[comparison]\n", tables + "[comparison]\n"});
-  };
-  EXPECT_NE(with("[[probe]]\nname = \"a\"\nx_m = 2.1\nz_m = 0.2\n")
-                .find("x_m = 2.1: expected a number from 0 to the tank's length (2), in m from the "
-                      "left wall"),
-            std::string::npos);
-  EXPECT_NE(
-      with("[[probe]]\nname = \"a\"\nx_m = 1\nz_m = -0.2\n")
-          .find("z_m = -0.2: expected a number from 0 to the tank's height (1), in m from the "
-                "bottom"),
-      std::string::npos);
   const std::string one = "[[probe]]\nname = \"a\"\nx_m = 1\nz_m = 0.2\n";
-  EXPECT_NE(with(one + one).find("expected a name that no other probe has"), std::string::npos);
-  EXPECT_NE(with("[[obstacle]]\nname = \"block\"\nleft_m = 0.9\nright_m = 1.1\nbottom_m = 0\n"
-                 "top_m = 0.3\n" +
-                 one)
-                .find("an obstacle elsewhere: it holds the probe a at (1, 0.2) m"),
-            std::string::npos);
+  expect_refusals(valid_text + one, R"(
+probe.x_m = 2.1: expected a number from 0 to the tank's length (2), in m from the left wall
+probe.z_m = -0.2: expected a number from 0 to the tank's height (1), in m from the bottom
+wall_forces = ["front"] -> wall_forces = (an array): expected a list of walls (left, right, bottom,
+  roof), each once
+wall_forces = ["left", "left"] -> wall_forces = (an array): expected a list of walls
+)");
+  expect_refusals(valid_text + one + one,
+                  R"(-> probe.name = "a": expected a name that no other probe)");
+  expect_refusals(valid_text + one +
+                      "[[obstacle]]\nname = \"block\"\nleft_m = 0.9\nright_m = "
+                      "1.1\nbottom_m = 0\ntop_m = 0.3\n",
+                  R"(
+-> obstacle.name = "block": expected an obstacle elsewhere: it holds the probe a at (1, 0.2) m
+)");
 }
 
 TEST(WallForcesKey, NamesTheWallsWhoseForcesAreCompared) {
@@ -47,16 +45,6 @@ TEST(WallForcesKey, NamesTheWallsWhoseForcesAreCompared) {
   EXPECT_EQ(std::count(compared.begin(), compared.end(), "force_x@right"), 1);
   EXPECT_EQ(std::count(compared.begin(), compared.end(), "force_z@bottom"), 1);
   EXPECT_EQ(std::count(compared.begin(), compared.end(), "force_x@left"), 0);
-}
-
-TEST(WallForcesKey, RefusesWhatIsNoWallAndAWallNamedTwice) {
-  for (const char* walls : {"[\"front\"]", "[\"left\", \"left\"]"}) {
-    const std::string message =
-        complaint_about({"[tank]\n", std::string("wall_forces = ") + walls + "\n[tank]\n"});
-    EXPECT_NE(message.find("expected a list of walls (left, right, bottom, roof), each once"),
-              std::string::npos)
-        << message;
-  }
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include "verification/case/metric_table.hpp"
 #include "verification/case_file/campaign_parser.hpp"
+#include "verification/case_file/tests/refusals.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::row_group_test {
@@ -32,11 +34,6 @@ std::string changed(const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   if (at == std::string::npos) throw std::logic_error("no such text: " + from);
   return text.replace(at, from.size(), to);
-}
-
-std::string refusal(const std::string& gate) {
-  const Workspace workspace;
-  return complaint(workspace.write("trial.toml", head + gate));
 }
 
 std::vector<GateRow> rows(const std::string& gate) { return read_text(head + gate).gate; }
@@ -125,70 +122,43 @@ TEST(RowGroup, GivesItsReferenceToTheMetricsThatTakeOne) {
   EXPECT_EQ(all[1].reference, "theory");
   EXPECT_EQ(all[2].reference, "");
   EXPECT_EQ(all[2].quantity, "elevation@right");
-  EXPECT_NE(refusal("[[gate]]\ncandidate = \"coarse\"\nreference = \"theory\"\n"
-                    "limits = { noise_share = 0.05 }\nreason = \"r\"\nsource = \"s\"\n")
-                .find("no reference"),
-            std::string::npos);
+  expect_refusals(head + "[[gate]]\ncandidate = \"coarse\"\nreason = \"r\"\nsource = \"s\"\n", R"(
+gate.limits = { noise_share = 0.05 } & gate.reference = "theory": expected no reference
+gate.limits = {} -> gate.limits = (a table): expected at least one metric
+)");
 }
 
 TEST(RowGroup, NeedsNoSourceForARegression) {
-  const std::string without = changed("source = \"a source\"\n", "");
-  EXPECT_NE(refusal(without).find("source is missing"), std::string::npos) << refusal(without);
-  const std::vector<GateRow> all = rows(without + "kind = \"regression\"\n");
+  const std::vector<GateRow> all =
+      rows(changed("source = \"a source\"\n", "kind = \"regression\"\n"));
   EXPECT_EQ(all[0].source, "measured before: the reason names it");
 }
 
-TEST(RowGroup, RefusesAPatternThatMatchesNoRunByItsName) {
-  const std::string line = "trial.toml:" + std::to_string(first_line + 1);
-  EXPECT_EQ(refusal(changed("fine_*", "fien_*")),
-            line +
-                ": gate.candidates = \"fien_*\": expected a run or a pattern of them, one of "
-                "coarse, mesh, fine_1, fine_2");
-  EXPECT_NE(refusal(changed("[\"fine_*\", \"coarse\"]", "[]")).find("gate.candidates"),
-            std::string::npos);
-  EXPECT_NE(refusal(changed("[\"fine_*\", \"coarse\"]", "\"fine_*\"")).find("an array of texts"),
-            std::string::npos);
-}
-
-TEST(RowGroup, RefusesAMistakeOnceWithTheKeyAndTheLineWhereItIsWritten) {
-  const auto at = [](int line, const std::string& rest) {
-    return "trial.toml:" + std::to_string(first_line + line) + ": " + rest;
-  };
-  const std::string negative = refusal(changed("phase_lag = 5", "phase_lag = -5"));
-  EXPECT_TRUE(negative.starts_with(at(5, "gate.limits.phase_lag = -5: expected a number > 0")))
-      << negative;
-  EXPECT_EQ(negative.find('\n'), std::string::npos) << negative;
-  const std::string inverted = refusal(changed("upper = 0.05", "upper = -0.5"));
-  EXPECT_TRUE(inverted.starts_with(at(4, "gate.limits.amplitude_error.upper = -0.5"))) << inverted;
-  const std::string misspelt = refusal(changed("phase_lag", "phase_lga"));
-  EXPECT_TRUE(misspelt.starts_with(at(5, "gate.limits.phase_lga = 5"))) << misspelt;
-  EXPECT_NE(misspelt.find("nearest known key: phase_lag"), std::string::npos) << misspelt;
-  const std::string unknown = refusal(changed("upper =", "uper ="));
-  EXPECT_NE(unknown.find("nearest known key: upper"), std::string::npos) << unknown;
-}
-
-TEST(RowGroup, RefusesToSayOneThingTwice) {
-  EXPECT_NE(refusal(group + "candidate = \"mesh\"\n").find("no such key beside candidates"),
-            std::string::npos);
-  EXPECT_NE(refusal(group + "metric = \"phase_lag\"\n").find("no such key beside limits"),
-            std::string::npos);
-  EXPECT_NE(refusal(group + "limit = 1\n").find("no such key beside limits"), std::string::npos);
-  EXPECT_NE(refusal(group + "mode = \"forced\"\nmodes = [\"forced\"]\n").find("beside modes"),
-            std::string::npos);
-  EXPECT_NE(refusal(group + changed("fine_*", "fine_1")).find("a second bound on"),
-            std::string::npos);
-  EXPECT_NE(refusal("[[gate]]\ncandidate = \"mesh\"\nlimits = {}\n").find("at least one metric"),
-            std::string::npos);
-}
-
-TEST(RowGroup, IsNotJudgedByItsPatternsWhereARunWasRefused) {
-  std::string text = head + group;
-  const std::string spacing = "particle_spacing_m = 0.005";
-  text.replace(text.find(spacing), spacing.size(), "particle_spacing_m = -1");
+TEST(RowGroup, IsRefusedByTheKeyAndTheLineOfItsMistake) {
+  expect_refusals(head + group, R"(
+gate.candidates = ["fien_*", "coarse"] -> gate.candidates = "fien_*": expected a run or a pattern of
+  them, one of coarse, mesh, fine_1, fine_2
+gate.candidates = [] -> gate.candidates = (an array): expected
+gate.candidates = "fine_*": expected an array of texts
+gate.limits.phase_lag = -5: expected a number > 0
+gate.limits.phase_lag is missing & gate.limits.phase_lga = 5: expected ... nearest known key: phase_lag
+gate.limits.amplitude_error = { lower = -0.1, upper = -0.5 } -> gate.limits.amplitude_error.upper =
+  -0.5: expected
+gate.limits.amplitude_error = { lower = -0.1, uper = 0.5 } -> gate.limits.amplitude_error.uper = 0.5:
+  expected ... nearest known key: upper
+gate.candidate = "mesh": expected no such key beside candidates
+gate.metric = "phase_lag": expected no such key beside limits
+gate.limit = 1: expected no such key beside limits
+gate.modes = ["forced"] & gate.mode = "forced": expected no such key beside modes
+run(fine_2).particle_spacing_m = -1: expected
+)");
   const Workspace workspace;
-  const std::string found = complaint(workspace.write("trial.toml", text));
-  EXPECT_NE(found.find("particle_spacing_m"), std::string::npos);
-  EXPECT_EQ(found.find("gate"), std::string::npos) << found;
+  const std::string unsourced =
+      complaint(workspace.write("trial.toml", with_keys(head + group, "gate.source is missing")));
+  EXPECT_TRUE(holds(unsourced, "gate.source is missing"));
+  const std::string again =
+      complaint(workspace.write("trial.toml", head + group + changed("fine_*", "fine_1")));
+  EXPECT_TRUE(holds(again, "a second bound on"));
 }
 
 TEST(RowGroup, OfAProblemIsOfTheMeasuresThatItsPatternsMatch) {

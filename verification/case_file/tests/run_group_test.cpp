@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "verification/case_file/spacing_study.hpp"
+#include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::run_group_test {
@@ -18,18 +19,6 @@ quick = ["*_25mm"]
 )";
 
 CaseDefinition with_group(const std::string& text) { return read_text(valid_text + text); }
-
-std::string refusal(const std::string& text) {
-  const Workspace workspace;
-  return complaint(workspace.write("trial.toml", valid_text + text));
-}
-
-std::string changed(const std::string& from, const std::string& to) {
-  std::string text = group;
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::logic_error("no such text: " + from);
-  return text.replace(at, from.size(), to);
-}
 
 TEST(RunGroup, HasARunForEachListedValueWithTheKeysOfTheGroup) {
   const CaseDefinition definition = with_group(group);
@@ -60,29 +49,19 @@ TEST(RunGroup, HasMembersOfAnEnsembleForEachOfItsRuns) {
 }
 
 TEST(RunGroup, IsRefusedWhereAListHasNoNameOfItsOwnOrAPatternMeansNothing) {
-  EXPECT_NE(
-      refusal(changed("{particle_spacing_mm}", "fine")).find("particle_spacing_m = (an array)"),
-      std::string::npos);
-  const std::string same = changed("ours_{particle_spacing_mm}mm", "{scheme}_25mm");
-  EXPECT_NE(refusal(same).find("expected a name that no other run has"), std::string::npos)
-      << refusal(same);
-  EXPECT_NE(refusal(changed("{particle_spacing_mm}", "{spacing}")).find("there is no spacing"),
-            std::string::npos);
-  EXPECT_NE(refusal(changed("{particle_spacing_mm}", "{scheme:3}")).find("{KEY:01} to {KEY:09}"),
-            std::string::npos);
-  EXPECT_NE(refusal(changed("*_25mm", "*_30mm"))
-                .find("run.quick = \"*_30mm\": expected a name or a pattern of a run"),
-            std::string::npos);
-  EXPECT_NE(refusal(changed("0.0125", "-1")).find(": run.particle_spacing_m = -1: expected"),
-            std::string::npos);
-}
-
-TEST(RunGroup, IsRefusedBeforeItHasMoreRunsThanAnyoneWouldStart) {
   std::string seeds = "0";
   for (int seed = 1; seed < 600; ++seed) seeds += ", " + std::to_string(seed);
-  EXPECT_NE(refusal(group + "start_disorder = 0.1\nstart_seed = [" + seeds + "]\n")
-                .find("start_seed = (an array): expected lists of at most 1000 combinations"),
-            std::string::npos);
+  expect_refusals(valid_text + group, R"(
+run.quick is missing & run.name = "ours_fine" -> run.particle_spacing_m = (an array): expected
+run.name = "{scheme}_25mm" -> run.name = "any_25mm": expected a name that no other run has
+run.name = "ours_{spacing}mm": expected ... there is no spacing
+run.name = "ours_{scheme:3}mm": expected ... {KEY:01} to {KEY:09}
+run.quick = ["*_30mm"] -> run.quick = "*_30mm": expected a name or a pattern of a run
+run.particle_spacing_m = [0.025, -1] -> run.particle_spacing_m = -1: expected
+run.start_disorder = 0.1 & run.start_seed = [)" +
+                                          seeds + R"(] -> run.start_seed = (an array):
+  expected lists of at most 1000 combinations
+)");
 }
 
 TEST(RunGroup, GivesARunToASpacingStudy) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "verification/tests/messages.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::solver_keys_test {
@@ -63,8 +64,7 @@ TEST(SolverKeys, OfAnotherSolverAreRefused) {
       for (const std::string& key : keys_of(other)) {
         if (contains(own, key) || key == "experiment") continue;  // which makes a record the other
         const std::string message = complaint_about_run(form, key);
-        EXPECT_NE(message.find("run." + key + " = 1: expected only these keys here: name"),
-                  std::string::npos)
+        EXPECT_TRUE(holds(message, "run." + key + " = 1: expected only these keys here: name"))
             << form.name << ": " << message;
         ++pairs;
       }
@@ -81,7 +81,7 @@ TEST(SolverKeys, OfTheOtherSolversAreNoneOfSph) {
 
 TEST(SolverKeys, AMisspeltSolverIsToldByTheNearestKey) {
   const std::string message = complaint_about({"solver = \"interfoam\"", "solvr = \"interfoam\""});
-  EXPECT_TRUE(message.starts_with("trial.toml:49: run.solvr = \"interfoam\": expected only"));
+  EXPECT_TRUE(begins(message, "trial.toml:49: run.solvr = \"interfoam\": expected only"));
   EXPECT_TRUE(message.ends_with("nearest known key: solver")) << message;
 }
 

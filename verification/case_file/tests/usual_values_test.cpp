@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::usual_values_test {
@@ -34,19 +35,13 @@ TEST(CaseFile, IsOfWaterUnderAirOnTheEarthUnlessItSaysOtherwise) {
   EXPECT_EQ(definition.gas.kinematic_viscosity, written.gas.kinematic_viscosity);
 }
 
-TEST(CaseFile, NamesBothPropertiesOfALiquidThatIsNotWater) {
-  EXPECT_EQ(complaint_about({"density_kg_m3 = 1000.0\n", ""}),
-            "trial.toml:10: liquid.density_kg_m3 is missing: expected a number > 0, in kg/m3");
-  EXPECT_NE(complaint_about({"kinematic_viscosity_m2_s = 1e-6\n", ""}).find("is missing"),
-            std::string::npos);
-}
-
-TEST(CaseFile, NamesTheGasAboveALiquidThatIsLighterThanAir) {
-  const Workspace workspace;
-  std::string text = without(valid_text, gas);
-  text.replace(text.find("1000.0"), 6, "1.1");
-  EXPECT_NE(complaint(workspace.write("trial.toml", text)).find("gas is missing"),
-            std::string::npos);
+TEST(CaseFile, NamesBothPropertiesOfALiquidThatIsNotWaterAndTheGasAboveALighterOne) {
+  expect_refusals(valid_text, R"(
+liquid.density_kg_m3 is missing: expected a number > 0, in kg/m3
+liquid.kinematic_viscosity_m2_s is missing: expected
+)");
+  expect_refusals(without(valid_text, gas),
+                  R"(liquid.density_kg_m3 = 1.1 -> gas is missing: expected)");
 }
 
 TEST(CaseFile, ComparesToTheEndOfTheRunUnlessItSaysOtherwise) {
@@ -64,16 +59,13 @@ TEST(CaseFile, GivesAFrequencyInAnyOfThreeWays) {
 }
 
 TEST(CaseFile, GivesAFrequencyOnce) {
-  EXPECT_EQ(complaint_about({frequency, frequency + "period_s = 4\n"}),
-            "trial.toml:21: motion.surge.period_s = 4: expected exactly one of "
-            "angular_frequency_rad_s | frequency_Hz | period_s");
-  EXPECT_EQ(complaint_about({frequency, "period_s = 0\n"}),
-            "trial.toml:20: motion.surge.period_s = 0: expected a number > 0, in s");
-  EXPECT_NE(complaint_about({frequency, ""}).find("angular_frequency_rad_s is missing"),
-            std::string::npos);
-  EXPECT_NE(complaint_about({"natural_modes = 2", "natural_modes = 2\nforcing_period_s = 4"})
-                .find("forcing_period_s = 4: expected no such key without a motion table"),
-            std::string::npos);
+  expect_refusals(valid_text, R"(
+motion.surge.period_s = 4: expected exactly one of angular_frequency_rad_s | frequency_Hz | period_s
+motion.surge.angular_frequency_rad_s is missing & motion.surge.period_s = 0: expected a number > 0, in
+  s
+motion.surge.angular_frequency_rad_s is missing: expected
+comparison.forcing_period_s = 4: expected no such key without a motion table
+)");
 }
 
 }  // namespace

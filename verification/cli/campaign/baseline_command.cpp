@@ -7,7 +7,7 @@
 
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
-#include "verification/cli/campaign/assessed_campaign.hpp"
+#include "verification/cli/campaign/requested_campaign.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/results/provenance.hpp"
@@ -29,7 +29,8 @@ fs::path checked_ledger(const CampaignOptions& options, const Installation& inst
   fs::path ledger = ledger_of(options, requested(options, installation).definition, installation);
   if (options.new_ledger && holds_approvals(ledger))
     throw CaseFileError(
-        fmt::format("--new: '{}' holds approvals; expected a ledger that is not there, or no --new",
+        fmt::format("--new: '{}' is there already; expected a ledger that is not there, or, if it "
+                    "is one, no --new",
                     ledger.string()));
   if (!options.new_ledger && !holds_approvals(ledger))
     throw CaseFileError(

@@ -6,20 +6,24 @@
 
 #include <algorithm>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "reports/pages/write_report.hpp"
 #include "reports/summary/campaign_report.hpp"
+#include "reports/summary/recorded_campaigns.hpp"
 #include "reports/summary/results_json.hpp"
 #include "sph/threads.hpp"
 #include "verification/assessment/campaign_cost.hpp"
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/campaign/known_drawings.hpp"
-#include "verification/cli/campaign/assessed_campaign.hpp"
+#include "verification/cli/campaign/campaign_options.hpp"
 #include "verification/cli/campaign/earlier_verdicts.hpp"
-#include "verification/cli/campaign/report_of_all.hpp"
+#include "verification/cli/campaign/requested_campaign.hpp"
 #include "verification/evidence/soundness.hpp"
+#include "verification/files/content_hash.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 #include "verification/texts/assessment_text.hpp"
@@ -28,7 +32,62 @@
 namespace slosh {
 namespace {
 
+// `report --all`: one page over all campaigns whose reports lie in a directory.
+
 namespace fs = std::filesystem;
+
+// The results.json that the campaigns' reports have or should have, in the order of their names.
+std::vector<fs::path> results_in(const fs::path& directory) {
+  std::vector<fs::path> files;
+  if (!fs::is_directory(directory)) return files;
+  for (const auto& entry : fs::directory_iterator(directory))
+    if (const fs::path report = entry.path() / "report"; fs::exists(report))
+      files.push_back(report / "results.json");
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+int write_report_of_all(const CampaignOptions& options, const Installation& installation,
+                        EarlierVerdicts& earlier) {
+  const fs::path directory =
+      whole(options.output.empty() ? installation.build / "campaigns" : options.output);
+  std::vector<RecordedCampaign> campaigns;
+  std::vector<std::string> left_out;
+  for (const fs::path& file : results_in(directory)) try {
+      if (!fs::is_regular_file(file)) throw std::invalid_argument("expected a file");
+      campaigns.push_back(recorded_campaign(
+          read_input(file), fs::relative(file.parent_path() / "index.html", directory).string()));
+    } catch (const std::invalid_argument& error) {
+      left_out.push_back(legible_message(file.lexically_relative(directory).string()));
+      std::cerr << legible_message(
+          fmt::format("{}: {}; `slosh report NAME` writes the campaign's report anew\n",
+                      file.string(), error.what()));
+    }
+  if (campaigns.empty() && left_out.empty())
+    throw CaseFileError(fmt::format(
+        "--all: expected reports of campaigns, NAME/report/results.json, in {}; `slosh campaign "
+        "NAME` leaves one",
+        directory.string()));
+  earlier.begin(written_pages);
+  reports::Report report = report_of_campaigns(campaigns, left_out);
+  const int status = exit_status(campaigns, left_out), asked = requested_exit(status, options);
+  earlier.judged(status);
+  if (asked != status) report.results_json = with_exit_status(asked, report.results_json);
+  reports::write_report(report, directory / "report", {.threads = sph::usable_cores()});
+  print_lines(fmt::format("{}: {}\nreport: {}\n", headline_word(status), report.verdict,
+                          (directory / "report/index.html").string()));
+  return asked;
+}
+
+// Reads DIR/NAME/report/results.json of each campaign, DIR being the options' output or else
+// build/campaigns, and leaves DIR/report. Returns the worst of their exit statuses. Throws
+// CaseFileError where there is no such file.
+int report_of_all(const CampaignOptions& options, const Installation& installation,
+                  const std::atomic<bool>& stop) {
+  return superseding(options, installation, stop, [&](EarlierVerdicts& earlier) {
+    return write_report_of_all(options, installation, earlier);
+  });
+}
 
 // Refuses --resume without an earlier start, so that a mistyped name starts nothing.
 void require_possible(const CampaignOptions& options, const CampaignSettings& settings) {
@@ -60,12 +119,14 @@ void leave_report(const AssessedCampaign& assessed, const CampaignOptions& optio
 
 // Prints each row and leaves the report.
 int judge_campaign(RequestedCampaign campaign, const CampaignOptions& options,
-                   const Installation& installation, const std::atomic<bool>& stop) {
+                   const Installation& installation, const std::atomic<bool>& stop,
+                   EarlierVerdicts& earlier) {
   const fs::path place = campaign.place;
   const AssessedCampaign assessed = assess(std::move(campaign), stop);
+  const int status = exit_status(assessed.cases, assessed.problems);
+  earlier.judged(status);
   std::cerr << complaints(assessed.cases, assessed.problems);
   print_lines(gate_lines(assessed.cases, assessed.problems));
-  const int status = exit_status(assessed.cases, assessed.problems);
   leave_report(assessed, options, name_or_path(assessed.definition.file, installation.campaigns),
                status);
   std::vector<std::string> lines{fmt::format("{}: {}{}", headline_word(status),
@@ -91,13 +152,14 @@ int plan_campaign(const CampaignOptions& options, const Installation& installati
 int run_campaign(const CampaignOptions& options, const Installation& installation,
                  const std::atomic<bool>& stop) {
   if (options.dry_run) return plan_campaign(options, installation);
-  return superseding(options, installation, [&](EarlierVerdicts& earlier) {
+  return superseding(options, installation, stop, [&](EarlierVerdicts& earlier) {
     RequestedCampaign campaign = requested(options, installation);
     require_possible(options, campaign.settings);
-    earlier.begin({"report"});
-    const int status = judge_campaign(std::move(campaign), options, installation, stop);
-    earlier.end("gate", status);
-    return requested_exit(status, options);
+    earlier.begin(written_pages);
+    const int status = judge_campaign(std::move(campaign), options, installation, stop, earlier),
+              asked = requested_exit(status, options);
+    earlier.end("gate", asked == exit_pass ? asked : status);
+    return asked;
   });
 }
 
@@ -144,7 +206,7 @@ void add_campaign_command(const CommandTree& tree) {
        "Does the same with the existing results; starts no solver",
        {"./slosh report " + std::string(example_run)}},
       [judge, tree](const CampaignOptions& options) {
-        if (options.all) return report_of_all(options, tree.installation);
+        if (options.all) return report_of_all(options, tree.installation, tree.stop);
         if (options.campaign.empty())
           throw CaseFileError("name: expected a campaign, or --all for all that have a report");
         return judge(options, false);

@@ -66,21 +66,24 @@ int judge_campaign(RequestedCampaign campaign, const fs::path& ledger, const Gat
                         .has_baseline = !approvals.empty(),
                         .inconclusive_passes = start.options.inconclusive_exit == exit_pass};
   findings.status = status_of(assessed, findings.movements);
+  start.earlier.judged(findings.status);
+  // A lost row is not inconclusive: only an approval takes it out.
+  const int asked = loses_validation(findings.movements)
+                        ? findings.status
+                        : requested_exit(findings.status, start.options);
   std::cerr << complaints(assessed.cases, assessed.problems);
   print_lines(gate_lines(assessed.cases, assessed.problems));
   print_changes(findings, ledger);
   const fs::path directory = assessed.output / "gate";
-  const reports::GateDocument document =
-      gate_document(assessed, findings, start.installation.source);
+  reports::GateDocument document = gate_document(assessed, findings, start.installation.source);
+  document.exit_status = asked;
   write_gate_files(document, directory);
   std::string headline = document.verdict + "\n";
   for (const auto& [group, doubt] : document.doubts) headline += doubt + "\n";
   print_lines(fmt::format("{}{}\ngate: {}, junit.xml\n", headline, document.basis,
                           (directory / "gate.md").string()));
-  start.earlier.end("report", findings.status);
-  // A lost row is not inconclusive: only an approval takes it out.
-  return loses_validation(findings.movements) ? findings.status
-                                              : requested_exit(findings.status, start.options);
+  start.earlier.end("report", asked == exit_pass ? asked : findings.status);
+  return asked;
 }
 
 int gate_campaign(const GateStart& start) {
@@ -101,7 +104,7 @@ void add_gate_command(const CommandTree& tree) {
        {"./slosh gate " + std::string(example_run) + " --inconclusive-exit 0"}},
       [tree](const CampaignOptions& options) {
         tree.stop_on_signals();
-        return superseding(options, tree.installation, [&](EarlierVerdicts& earlier) {
+        return superseding(options, tree.installation, tree.stop, [&](EarlierVerdicts& earlier) {
           return gate_campaign({options, tree.installation, tree.stop, earlier});
         });
       });

@@ -7,7 +7,7 @@
 
 #include "reports/gate_documents/gate_document.hpp"
 #include "verification/baseline/baseline_diff.hpp"
-#include "verification/cli/campaign/assessed_campaign.hpp"
+#include "verification/cli/campaign/requested_campaign.hpp"
 
 namespace slosh {
 

@@ -8,7 +8,7 @@
 #include <iostream>
 
 #include "reports/summary/sensitivity_tables.hpp"
-#include "verification/cli/campaign/assessed_campaign.hpp"
+#include "verification/cli/campaign/requested_campaign.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/sensitivity/selftest_record.hpp"
 

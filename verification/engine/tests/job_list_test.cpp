@@ -4,8 +4,8 @@
 
 #include <fstream>
 
-#include "verification/engine/ninja_engine.hpp"
-#include "verification/engine/slurm_array.hpp"
+#include "verification/engine/launcher.hpp"
+#include "verification/engine/slurm_engine.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::job_list_test {
@@ -51,6 +51,19 @@ TEST(JobList, TellsHowFarAJobIs) {
   EXPECT_TRUE(list.update(states));
   EXPECT_EQ(states[0].status, 3);
   EXPECT_FALSE(list.update(states)) << "an end is told once";
+}
+
+// A program may write there.
+TEST(JobList, TakesNoEndThatIsNone) {
+  const TemporaryDirectory temporary;
+  const JobList list =
+      JobList::create(temporary.path(), {{.name = "a", .command = {"true"}, .log_file = "log"}});
+  for (const char* text : {"{}", "[]", "{\"phase\": \"x\"}", "{"}) {
+    std::ofstream(temporary.path() / "0.ended.json") << text;
+    std::vector<JobState> states = list.initial_states();
+    EXPECT_NO_THROW(list.update(states)) << text;
+    EXPECT_FALSE(has_ended(states[0])) << text;
+  }
 }
 
 TEST(JobList, KeepsPathsThatAreNoUtf8) {

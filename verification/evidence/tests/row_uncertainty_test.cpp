@@ -1,18 +1,21 @@
 // What makes a row uncertain beside its own interval, on the small surge of surge_results.hpp.
 #include "verification/evidence/row_uncertainty.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <set>
 
 #include "reports/tables/case_tables.hpp"
 #include "verification/assessment/validity_envelope.hpp"
-#include "verification/case/changed_input.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/evidence/history_uncertainty.hpp"
 #include "verification/evidence/input_uncertainty.hpp"
-#include "verification/runs/run_case.hpp"
+#include "verification/evidence/tests/row_of_a_record.hpp"
 #include "verification/series/sample_moments.hpp"
 #include "verification/series/windowed_series.hpp"
 #include "verification/tests/surge_results.hpp"
@@ -100,6 +103,28 @@ TEST(RowUncertainty, OfARefinementThatRefinesNothingIsUnknownAndDoesNotPass) {
   EXPECT_GT(outcome.judgement.value().contributions.reference.known(), 0.002);
   EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
   EXPECT_NE(outcome.message.find("the refinement mesh tells nothing"), std::string::npos);
+}
+
+// A program that ignores its spacing and never answers twice alike.
+TEST(RowUncertainty, OfASpacingThatGivesNoMoreParticlesIsUnknown) {
+  for (const auto& [coarse, fine] : {std::pair{500.0, 500.0}, {500, 400}, {500, 1990}, {0, 0}}) {
+    OfMeshes runs(0.00501, 0.005);
+    runs.definition.refinements[0].number = RefinedNumber::particle_spacing;
+    for (const auto& [name, spacing, particles] :
+         {std::tuple{"coarse_mesh", 0.04, coarse}, {"fine_mesh", 0.02, fine}}) {
+      for (RunDefinition& run : runs.definition.runs)
+        if (run.name == name)
+          run.solver = ExternalRun{.command = {"./p"}, .method = "m", .particle_spacing = spacing};
+      runs.runs.results.at(name).cost.elements = particles;
+    }
+    const GateOutcome outcome = runs.judged();
+    EXPECT_EQ(outcome.message.find("fine_mesh has no more particles than coarse_mesh: the "
+                                   "refinement changed nothing") != std::string::npos,
+              coarse == 500 && fine <= 500)
+        << fine << outcome.message;
+    EXPECT_EQ(outcome.verdict, coarse == 500 && fine <= 500 ? Verdict::inconclusive : Verdict::pass)
+        << fine << outcome.message;
+  }
 }
 
 // The same program, with noise in the last digits, with fewer samples, and with times that are
@@ -328,36 +353,6 @@ TEST(RowUncertainty, OfARecordIsWhatItsPublisherStates) {
   }
 }
 
-// "particles" against a record, with a coarser run that is higher by what is told.
-struct OfARecord {
-  CaseDefinition definition = surge_case();
-  CaseRuns runs;
-
-  OfARecord(Metric metric, const std::string& mode, const std::string& unit, double limit,
-            double coarse_error) {
-    const TimeSeries wave = elevation_of({});
-    definition.runs.at(1).solver =
-        RecordRun{"eta.csv", surge_quantity, "m", wave.time, wave.value, 1e-6};
-    definition.runs.at(1).name = "record";
-    RunDefinition coarse = definition.runs.at(2);
-    coarse.name = "coarse_particles";
-    std::get<SphRun>(coarse.solver).particle_spacing = 0.02;
-    definition.runs.resize(3);
-    definition.runs.push_back(coarse);
-    definition.gate = {surge_row(mode, metric, unit, limit)};
-    definition.gate[0].reference = "record";
-    definition.refinements = {
-        {"spacing", RefinedNumber::particle_spacing, {"coarse_particles", "particles"}}};
-    for (const char* name : {"theory", "record", "particles"})
-      runs.results[name] = result_of(name, wave);
-    runs.results["coarse_particles"] =
-        result_of("coarse_particles", scaled(wave, 1 + coarse_error));
-    for (const auto& [name, result] : runs.results) runs.status[name] = {RunState::finished, ""};
-  }
-  GateOutcome judged() const { return assess(definition, runs).gate.at(0); }
-  UncertaintyContributions contributions() const { return judged().judgement->contributions; }
-};
-
 TEST(RowUncertainty, AgainstAnExperimentCountsTheCandidatesDiscretisation) {
   OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0.01);
   EXPECT_NEAR(row.contributions().discretisation.half_width.value(), 0.03, 1e-6);  // 2 h and h
@@ -463,35 +458,6 @@ TEST(RowUncertainty, OfTheInputsTogetherIsTheRootOfTheirSquares) {
   EXPECT_FALSE(row.contributions().input.half_width.has_value());
 }
 
-// A bound that no tank can have, and one at which theory fails: the row names the input, does not
-// pass, and keeps what the other inputs do.
-TEST(RowUncertainty, OfAnInputThatCannotBePropagatedIsNamedAndKeepsTheOthers) {
-  const InputUncertainty known{Input::amplitude, 0.0002, "a ruler"};
-  for (const auto& [input, half_width, reason] :
-       {std::tuple{Input::sensor_position, 0.06, "x of gauge right in m = 1.01: expected 0 to 1"},
-        {Input::fill_depth, 1e6, "fill depth = "},
-        {Input::fill_depth, 0.34, "fill depth = 0.69 m: expected above 0 and below"},
-        {Input::gravity, 10.0, "gravity = -0.19: expected 0 or more"},
-        {Input::density, 2000.0, "density = -1000 kg/m3: expected above that of the gas"},
-        {Input::kinematic_viscosity, 1.0, "kinematic viscosity = "},
-        {Input::period, 5.0, "the motion: expected amplitudes and periods above zero"},
-        {Input::gravity, 9.81, "the sensitivity to gravity is unknown: "}}) {
-    OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0.01);
-    row.definition.tank.height = input == Input::fill_depth && half_width < 1 ? 0.6 : 1.0;
-    row.definition.inputs = {{input, half_width, "a guess"}, known};
-    const GateOutcome outcome = row.judged();
-    EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << reason;
-    EXPECT_NEAR(outcome.judgement->contributions.input.known(), 0.0002 / 0.02, 1e-6);
-    EXPECT_NE(outcome.message.find("the sensitivity to " + input_name(input) + " is unknown"),
-              std::string::npos);
-    EXPECT_NE(outcome.message.find(reason), std::string::npos) << outcome.message;
-    row.definition.inputs = {known};
-    EXPECT_EQ(row.judged().verdict, Verdict::pass) << reason;
-    row.definition.inputs = {{input, half_width, "a guess"}};
-    EXPECT_EQ(row.judged().verdict, Verdict::inconclusive) << reason << ", alone";
-  }
-}
-
 // A metric that is a magnitude has its least value where the prediction meets the record: both ends
 // of the input's interval have the same value there.
 TEST(RowUncertainty, OfAnInputIsTheLargestChangeOfAMagnitude) {
@@ -507,84 +473,6 @@ TEST(RowUncertainty, OfAnInputIsTheLargestChangeOfAMagnitude) {
   EXPECT_NEAR(row.contributions().input.known(), 0.1 / 1.05, 2e-3);
 }
 
-// At both bounds the liquid moves as at the value itself, or as high as there.
-TEST(RowUncertainty, OfAnInputSeesWhatTurnsBetweenItsBounds) {
-  for (const double turns : {360.0, 4680.0}) {
-    OfARecord row(Metric::phase_lag, "forced", "deg", 5, 0);
-    row.definition.start = Start::tank;
-    std::get<LinearRun>(row.definition.runs.at(0).solver).modes = 10;
-    row.definition.inputs = {{Input::start_phase, turns, "nobody"}};
-    EXPECT_GT(row.contributions().input.known(), 140) << turns;
-  }
-  OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0);
-  std::get<LinearRun>(row.definition.runs.at(0).solver).modes = 10;
-  row.definition.gauges.at(0).x = 0.5 * row.definition.tank.length;
-  row.definition.inputs = {{Input::sensor_position, 0.49 * row.definition.tank.length, "nobody"}};
-  EXPECT_GT(row.contributions().input.known(), 0.5) << row.judged().message;
-}
-
-// A free wave and its own record: the largest distance of its prediction from it, on 2001 places of
-// the interval.
-struct FreeWave : OfARecord {
-  static constexpr double place = 0.47;
-  FreeWave(int mode, Input input, double half_width)
-      : OfARecord(Metric::normalised_rms, "whole", "1", 0.05, 0) {
-    definition.motion = {};
-    definition.gauges.at(0).x = place;
-    definition.initial_wave = InitialWaveDefinition{mode, 1e-4};
-    definition.inputs = {{input, half_width, "nobody"}};
-    definition.refinements.clear();
-    for (const char* name : {"theory", "record", "particles"})
-      runs.results[name] = execute(definition, definition.runs.at(0), {}, [](double, double) {});
-  }
-};
-
-template <class Change>
-double largest_of(double half_width, const Change& change) {
-  double largest = 0;
-  for (int i = -1000; i <= 1000; ++i)
-    largest = std::max(largest, std::abs(change(i * half_width / 1000)));
-  return largest;
-}
-
-TEST(RowUncertainty, OfAPlaceIsTheLargestOfAllPlacesOrUnknown) {
-  for (const int mode : {1, 5, 26, 34})
-    for (const double share : {0.01, 0.2, 0.45, 0.55, 5.0}) {
-      const double k = mode * std::numbers::pi, half_width = share * 2 / mode, x = FreeWave::place;
-      if (half_width >= x) continue;
-      const FreeWave row(mode, Input::sensor_position, half_width);
-      if (share > 0.5) {
-        EXPECT_FALSE(row.contributions().input.half_width) << mode << " " << share;
-        EXPECT_EQ(row.judged().verdict, Verdict::inconclusive) << mode << " " << share;
-        continue;
-      }
-      const double largest = largest_of(
-          half_width, [=](double s) { return std::cos(k * (x + s)) / std::cos(k * x) - 1; });
-      EXPECT_NEAR(row.contributions().input.known() / largest, 1, 0.05) << mode << " " << share;
-    }
-}
-
-TEST(RowUncertainty, OfGravityIsTheLargestOfItsIntervalOrUnknown) {
-  const double kh = std::numbers::pi * surge_case().liquid.fill_depth;
-  const auto distance = [&](double change) {
-    double squares = 0, own = 0;
-    for (double t = 1; t < 20; t += 0.02) {
-      const auto wave = [&](double g) {
-        return std::cos(std::sqrt(g * std::numbers::pi * std::tanh(kh)) * t);
-      };
-      squares += std::pow(wave(9.81 + change) - wave(9.81), 2);
-      own += std::pow(wave(9.81), 2);
-    }
-    return std::sqrt(squares / own);
-  };
-  for (const double half_width : {0.01, 0.1, 0.3})
-    EXPECT_NEAR(FreeWave(1, Input::gravity, half_width).contributions().input.known() /
-                    largest_of(half_width, distance),
-                1, 0.05)
-        << half_width;
-  EXPECT_FALSE(FreeWave(1, Input::gravity, 9.0).contributions().input.half_width);
-}
-
 TEST(RowUncertainty, OfTheInputsOfAFreeWaveComesFromTheViscousWave) {
   OfARecord row(Metric::frequency_error, "natural_1", "1", 0.05, 0);
   row.definition.motion = {};
@@ -597,6 +485,58 @@ TEST(RowUncertainty, OfTheInputsOfAFreeWaveComesFromTheViscousWave) {
   ASSERT_TRUE(bounds.contains(Input::fill_depth));
   EXPECT_NE(bounds.at(Input::fill_depth).lower.at(surge_quantity).value,
             bounds.at(Input::fill_depth).upper.at(surge_quantity).value);
+}
+
+// A free wave of a viscous liquid, with a theory that does not count viscosity before or after the
+// one that does, or alone.
+struct OfAViscousWave : OfARecord {
+  OfAViscousWave(Metric metric, const std::string& unit, const std::vector<std::string>& theories)
+      : OfARecord(metric, "natural_1", unit, 0.9, 1e-4) {
+    definition.motion = {};
+    definition.initial_wave = InitialWaveDefinition{1, 0.01};
+    definition.liquid.kinematic_viscosity = 1e-3;
+    const RunDefinition first = definition.runs.at(0);
+    definition.runs.erase(definition.runs.begin());
+    runs.results.erase("theory");
+    runs.status.erase("theory");
+    RunDefinition viscous = first;
+    viscous.solver = ViscousWaveRun{0.1};
+    const RunResult wave = execute(definition, viscous, {}, [](double, double) {});
+    for (auto& [name, result] : runs.results) {
+      result = result_of(name, wave.at(surge_quantity));
+      if (name == "coarse_particles") result.series[0] = scaled(result.series[0], 1.0001);
+    }
+    for (const std::string& name : theories) {
+      RunDefinition theory = name == "viscous" ? viscous : first;
+      theory.name = name;
+      runs.results[name] = execute(definition, theory, {}, [](double, double) {});
+      runs.status[name] = {RunState::finished, ""};
+      definition.runs.push_back(theory);
+    }
+  }
+};
+
+TEST(RowUncertainty, OfViscosityComesFromATheoryThatCountsItOrIsUnknown) {
+  const std::vector<std::vector<std::string>> both{{"linear", "viscous"}, {"viscous", "linear"}};
+  for (const auto& [metric, unit] :
+       {std::pair{Metric::decay_error, "1"}, {Metric::decay_rate, "1/s"}})
+    for (const Input input : {Input::kinematic_viscosity, Input::fill_depth}) {
+      const double half_width = input == Input::fill_depth ? 0.02 : 5e-4;
+      std::vector<double> found;
+      for (const auto& theories : both) {
+        OfAViscousWave row(metric, unit, theories);
+        row.definition.inputs = {{input, half_width, "a guess"}};
+        found.push_back(row.contributions().input.half_width.value());
+      }
+      EXPECT_EQ(found[0], found[1]) << "in any order";
+      EXPECT_GT(found[0], input == Input::fill_depth ? 1e-5 : 0.005) << metric_name(metric);
+      OfAViscousWave alone(metric, unit, {"linear"});
+      alone.definition.inputs = {{input, half_width, "a guess"}};
+      EXPECT_FALSE(alone.contributions().input.half_width);
+      EXPECT_EQ(alone.judged().verdict, Verdict::inconclusive) << alone.judged().message;
+      EXPECT_NE(alone.judged().message.find("viscosity"), std::string::npos)
+          << alone.judged().message;
+    }
 }
 
 // Where no theory holds: the coarse run of the case, with waves that are higher by the same share
@@ -625,6 +565,75 @@ TEST(RowUncertainty, OfAnInputThatNoTheoryTellsIsThatOfACoarseRunAtBothEnds) {
   row.add(row.ends[1], 1.09);  // the larger of 9 % and 1 %
   EXPECT_NEAR(row.contributions().input.half_width.value(), 0.09, 4e-6);
   EXPECT_EQ(row.judged().verdict, Verdict::inconclusive);
+}
+
+TEST(RowUncertainty, OfAnInputThatACoarseRunDoesNotSeeIsUnknown) {
+  WithACoarseRun row;
+  for (const std::string& end : row.ends) row.add(end, 1 + 2e-6);  // as the coarse run itself
+  EXPECT_FALSE(row.contributions().input.half_width.has_value());
+  EXPECT_EQ(row.judged().verdict, Verdict::inconclusive);
+  EXPECT_NE(row.judged().message.find("it changes nothing of coarse_particles"), std::string::npos)
+      << row.judged().message;
+}
+
+// The refinement and the theory of the inputs, but no run that decides nothing.
+TEST(RowUncertainty, NamesTheRunsThatItWasMeasuredWith) {
+  OfARecord row(Metric::normalised_rms, "whole", "1", 0.05, 0.001);
+  RunDefinition idle = row.definition.runs.at(2);
+  idle.name = "idle";
+  row.definition.runs.push_back(idle);
+  row.runs.results["idle"] = result_of("idle", scaled(elevation_of({}), 1.2));
+  row.runs.status["idle"] = {RunState::finished, ""};
+  using Names = std::set<std::string>;
+  EXPECT_EQ(row.judged().measured_with, (Names{"coarse_particles", "particles", "record"}));
+  row.definition.inputs = {{Input::amplitude, 0.0002, "a ruler"}};
+  EXPECT_EQ(row.judged().measured_with,
+            (Names{"coarse_particles", "particles", "record", "theory"}));
+  row.runs.results.erase("coarse_particles");  // as where the quick form leaves it out
+  row.runs.status["coarse_particles"] = {RunState::not_selected, ""};
+  EXPECT_EQ(row.judged().measured_with, (Names{"particles", "record", "theory"}));
+  row.runs.status["particles"] = {RunState::failed, "a particle left the tank"};
+  EXPECT_EQ(row.judged().measured_with, Names{});
+}
+
+// A refinement that leaves 57 % open decides nothing between errors of 1 and 10 %.
+TEST(RowUncertainty, OfARefinementCountsForAnImprovementToo) {
+  for (const double coarse_error : {0.012, 0.2}) {
+    OfARecord row(Metric::rms_error, "whole", "1", 0, coarse_error);
+    row.definition.gate[0].limit.reset();
+    row.definition.gate[0].improves_on = "bad";
+    RunDefinition bad = row.definition.runs.at(2);
+    bad.name = "bad";
+    row.definition.runs.push_back(bad);
+    for (const auto& [name, error] : {std::pair{"particles", 0.01}, {"bad", 0.1}}) {
+      row.runs.results[name] = result_of(name, scaled(elevation_of({}), 1 + error));
+      row.runs.status[name] = {RunState::finished, ""};
+    }
+    EXPECT_EQ(row.judged().verdict, coarse_error < 0.1 ? Verdict::pass : Verdict::inconclusive)
+        << row.judged().message;
+  }
+}
+
+// What is clipped may be as exact as the candidate.
+TEST(RowUncertainty, OfTheSamplesCountsForTheRunToImproveOnToo) {
+  OfARecord row(Metric::rms_error, "whole", "1", 0, 0.032);
+  row.definition.gate[0].limit.reset();
+  row.definition.gate[0].improves_on = "bad";
+  RunDefinition bad = row.definition.runs.at(2);
+  bad.name = "bad";
+  row.definition.runs.push_back(bad);
+  row.runs.status["bad"] = {RunState::finished, ""};
+  row.runs.results["particles"] = result_of("particles", scaled(elevation_of({}), 1.03));
+  TimeSeries clipped = elevation_of({});
+  row.runs.results["bad"] = result_of("bad", scaled(clipped, 0.9));
+  EXPECT_EQ(row.judged().verdict, Verdict::pass) << row.judged().message;
+  const double most = 0.7 * *std::max_element(clipped.value.begin(), clipped.value.end());
+  for (double& value : clipped.value) value = std::clamp(value, -most, most);
+  row.runs.results["bad"] = result_of("bad", clipped);
+  const GateOutcome outcome = row.judged();
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << outcome.message;
+  EXPECT_NE(outcome.message.find("with bad as the candidate; doubtful: "), std::string::npos)
+      << outcome.message;
 }
 
 TEST(RowUncertainty, OfAWideIntervalBetweenTwoRunsIsUnknown) {

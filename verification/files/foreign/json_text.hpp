@@ -17,6 +17,13 @@ struct JsonRefused : nlohmann::json::exception {
   explicit JsonRefused(const std::string& why) : exception(0, why.c_str()) {}
 };
 
+// Returns what the library says, without the name of its exception.
+inline std::string words_of(const nlohmann::json::exception& error) {
+  const std::string all = error.what();
+  const std::size_t end = all.starts_with("[json.exception") ? all.find("] ") : all.npos;
+  return end == all.npos ? all : all.substr(end + 2);
+}
+
 // `Json` is nlohmann::json or nlohmann::ordered_json. Throws their exceptions.
 template <class Json>
 Json parsed_json(std::string_view text) try {

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <memory>
 
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/content_hash.hpp"
@@ -40,11 +39,33 @@ TEST_F(OwnFiles, AreThoseThatAreAsSloshHasLeftThem) {
   EXPECT_EQ(read_bytes(file), "new");
   made("work/table");
   EXPECT_EQ(foreign_at(path()), file);
-  EXPECT_THROW(replace_own(file, "newer"), fs::filesystem_error);
-  EXPECT_THROW(replace_own(made("work/mine"), "new"), fs::filesystem_error);
-  EXPECT_EQ(read_bytes(file), "a week of work");
+  EXPECT_THROW(require_own(file), fs::filesystem_error);
   std::ofstream(file, std::ios::trunc).flush();
-  EXPECT_NO_THROW(replace_own(file, "new")) << "nothing is lost with an empty file";
+  EXPECT_NO_THROW(require_own(file)) << "nothing is lost with an empty file";
+}
+
+// Edited or left by others.
+TEST_F(OwnFiles, ReplaceNoOther) {
+  const fs::path file = path() / "work/table";
+  for (const char* kept : {"work/table.kept-1", "work/table.kept-2"}) {
+    made("work/table");
+    replace_own(file, "new");
+    EXPECT_EQ(read_bytes(file), "new");
+    EXPECT_EQ(read_bytes(path() / kept), "a week of work");
+  }
+  replace_own(path() / "work", "a file");
+  EXPECT_EQ(read_bytes(path() / "work.kept-1/table.kept-2"), "a week of work");
+  EXPECT_EQ(told_of_set_aside().back(), (path() / "work").string() +
+                                            " is not as Slosh has left it; it is kept as "
+                                            "work.kept-1");
+}
+
+TEST_F(OwnFiles, AreThoseOfTheSameContentToo) {
+  replace_own(path() / "table", "new");
+  fs::remove(path() / ".slosh");
+  replace_own(path() / "table", "new");
+  EXPECT_FALSE(foreign_at(path() / "table"));
+  EXPECT_FALSE(fs::exists(path() / "table.kept-1"));
 }
 
 TEST_F(OwnFiles, LieBehindNoLinkAndAreNone) {
@@ -55,6 +76,7 @@ TEST_F(OwnFiles, LieBehindNoLinkAndAreNone) {
   fs::create_symlink("nowhere", path() / "dangling");
   for (const char* link : {"link", "dangling"})
     EXPECT_THROW(replace_own(path() / link, "new"), fs::filesystem_error) << link;
+  EXPECT_THROW(require_room(path() / "link"), fs::filesystem_error);
   link_own("here", path() / "shown");
   link_own("there", path() / "shown");
   EXPECT_EQ(fs::read_symlink(path() / "shown"), "there");
@@ -78,16 +100,10 @@ TEST_F(OwnFiles, AreNotToldByAListThatIsALinkOrACopy) {
   fs::create_symlink(path() / "a/.slosh", path() / "b/.slosh");
   EXPECT_TRUE(foreign_at(path() / "b/table"));
   EXPECT_THROW(replace_own(path() / "b/other", "new"), fs::filesystem_error);
-  const auto open = [&] { return std::make_unique<OpenOutputs>(std::vector{path() / "a/log"}); };
-  const auto log = open();
-  made("a/log");
-  EXPECT_FALSE(foreign_at(path() / "a/log")) << "of a program that writes it now, or was killed";
-  made("c/log");
-  fs::copy(path() / "a/.slosh", path() / "c/.slosh");
-  EXPECT_TRUE(foreign_at(path() / "c/log"));
+  EXPECT_THROW(replace_named(path() / "b/.slosh", "new", "export"), OutputError);
 }
 
-TEST_F(OwnFiles, AreOpenAsLongAsAProgramWritesThem) {
+TEST_F(OwnFiles, AreWhatAProgramHasLeft) {
   const std::vector places{path() / "work/log", path() / "work/run"};
   {
     const OpenOutputs outputs(places);
@@ -95,12 +111,31 @@ TEST_F(OwnFiles, AreOpenAsLongAsAProgramWritesThem) {
   }
   EXPECT_FALSE(foreign_at(path() / "work"));
   { const OpenOutputs again(places); }
+  EXPECT_FALSE(fs::exists(path() / "work/log.kept-1"));
   std::ofstream(path() / "work/log", std::ios::app) << "s";
   EXPECT_EQ(foreign_at(path() / "work"), places[0]);
-  EXPECT_THROW(OpenOutputs{places}, fs::filesystem_error);
-  fs::remove(places[0]);
-  const fs::path mine = made("work/run/deep/mine");
-  EXPECT_EQ(foreign_at(path() / "work"), mine);
+  made("work/run/deep/mine");
+  { const OpenOutputs again(places); }
+  EXPECT_EQ(read_bytes(path() / "work/log.kept-1"), "a week of works");
+  EXPECT_EQ(read_bytes(path() / "work/run.kept-1/deep/mine"), "a week of work");
+}
+
+// As of a process that was killed: nothing is listed, and the next start loses nothing.
+TEST_F(OwnFiles, AreNotThoseOfAnInterruptedProgram) {
+  const fs::path run = path() / "work/run", result = path() / "result";
+  auto* const killed = new OpenOutputs({run});
+  auto* const named = new OpenOutputs(result, "run");
+  made("work/run/part");
+  made("work/run/notes");
+  made("result");
+  { const OpenOutputs again({run}); }
+  EXPECT_EQ(read_bytes(path() / "work/run.kept-1/notes"), "a week of work");
+  EXPECT_FALSE(fs::exists(run));
+  EXPECT_THROW(OpenOutputs(result, "run"), fs::filesystem_error);
+  named->make_room();
+  EXPECT_EQ(read_bytes(path() / "result.kept-1"), "a week of work");
+  delete killed;
+  delete named;
 }
 
 TEST_F(OwnFiles, OfAUsersNamingBelongToTheCommandThatLeftThem) {

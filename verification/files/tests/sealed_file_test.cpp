@@ -12,6 +12,7 @@
 #include "verification/results/result_file.hpp"
 #include "verification/solvers/particles/state_file.hpp"
 #include "verification/tests/hdf5_attacks.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::sealed_file_test {
@@ -58,12 +59,7 @@ class SealedFile : public ::testing::TestWithParam<Kind> {
   // The error message of reading these bytes; empty where they are accepted.
   std::string refusal(const std::string& content) {
     memory.replace(content);
-    try {
-      GetParam().read(memory.path());
-    } catch (const ResultError& error) {
-      return error.what();
-    }
-    return "";
+    return message_of<ResultError>([&] { GetParam().read(memory.path()); });
   }
 
   // The content under a seal that fits, as one who means harm would make it.
@@ -80,10 +76,11 @@ class SealedFile : public ::testing::TestWithParam<Kind> {
 TEST_P(SealedFile, IsTakenAsItWasWritten) { EXPECT_EQ(refusal(bytes), ""); }
 
 TEST_P(SealedFile, IsRefusedByNameWhereverItIsCut) {
-  for (std::size_t length = 0; length < bytes.size(); ++length) {
+  const std::size_t seal_begin = bytes.size() - 100;
+  for (std::size_t length = 0; length < bytes.size(); length += length < seal_begin ? 5 : 1) {
     const std::string words = refusal(bytes.substr(0, length));
-    ASSERT_NE(words.find(name), std::string::npos) << length << " bytes: " << words;
-    ASSERT_NE(words.find("not a whole"), std::string::npos) << length << " bytes: " << words;
+    ASSERT_TRUE(holds(words, name)) << length << " bytes: " << words;
+    ASSERT_TRUE(holds(words, "not a whole")) << length << " bytes: " << words;
   }
 }
 
@@ -94,7 +91,7 @@ TEST_P(SealedFile, IsRefusedByNameWhicheverBitIsFlipped) {
       std::string altered = bytes;
       altered[i] = static_cast<char>(altered[i] ^ (1 << bit));
       const std::string words = refusal(altered);
-      ASSERT_NE(words.find(name), std::string::npos) << "byte " << i << ", bit " << bit;
+      ASSERT_TRUE(holds(words, name)) << "byte " << i << ", bit " << bit;
       if (i < seal_begin) break;
     }
   }
@@ -103,26 +100,26 @@ TEST_P(SealedFile, IsRefusedByNameWhicheverBitIsFlipped) {
 TEST_P(SealedFile, IsRefusedWithAnythingAfterItsEnd) {
   for (const std::string& more :
        {std::string("\n"), std::string(1, '\0'), std::string(5000, 'x'), bytes})
-    EXPECT_NE(refusal(bytes + more).find(name), std::string::npos) << more.size() << " bytes";
+    EXPECT_TRUE(holds(refusal(bytes + more), name)) << more.size() << " bytes";
 }
 
 TEST_P(SealedFile, IsRefusedWhereAPartOfItIsMissing) {
   std::string shorter = bytes;
   shorter.erase(bytes.size() / 2, 512);
-  EXPECT_NE(refusal(shorter).find("altered"), std::string::npos) << refusal(shorter);
+  EXPECT_TRUE(holds(refusal(shorter), "altered"));
 }
 
 TEST_P(SealedFile, IsRefusedInAnotherVersionThoughItsChecksumFits) {
   std::string later = bytes;
   const std::string seal = GetParam().seal;
   later.replace(later.rfind(seal), seal.size(), GetParam().next_seal);
-  EXPECT_NE(refusal(later).find("format version 00"), std::string::npos) << refusal(later);
+  EXPECT_TRUE(holds(refusal(later), "format version 00"));
 }
 
 TEST_P(SealedFile, IsRefusedForAnyOtherKind) {
   for (const Kind& other : kinds) {
     if (other.name == GetParam().name) continue;
-    EXPECT_NE(refusal(written_by(other)).find("foreign"), std::string::npos) << other.name;
+    EXPECT_TRUE(holds(refusal(written_by(other)), "foreign")) << other.name;
   }
 }
 
@@ -137,8 +134,7 @@ TEST_P(SealedFile, IsRefusedWhereItLeadsIntoAnotherFileThoughItsChecksumFits) {
       const hdf5::Handle root(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "open");
       attack.plant(root, "way");
     }
-    EXPECT_NE(refusal(resealed(read_bytes(file))).find(attack.refusal), std::string::npos)
-        << attack.name;
+    EXPECT_TRUE(holds(refusal(resealed(read_bytes(file))), attack.refusal)) << attack.name;
   }
 }
 
@@ -151,7 +147,7 @@ TEST_P(SealedFile, CrashesNoReaderWhereAByteIsChangedThoughItsChecksumFits) {
     const std::string words = refusal(resealed(altered));
     refused += !words.empty();
     if (!words.empty()) {
-      EXPECT_NE(words.find(name), std::string::npos) << words;
+      EXPECT_TRUE(holds(words, name));
     }
   }
   EXPECT_GT(refused, 0);

@@ -48,16 +48,13 @@ const CaseDefinition& published_case() {
   return definition;
 }
 
-// A single run stands for all that it could be, unless it is not `exact`.
 GateOutcome judge(const GateRow& row, const TimeSeries& pressure,
-                  const CaseDefinition& definition = published_case(), bool exact = true) {
-  GateEvidence evidence;
-  evidence.impacts = [&](const std::string& run, const GateRow& asked) {
-    EXPECT_EQ(run, "particles");
-    return impact_metric(asked.metric, asked.mode, pressure, nullptr, definition);
-  };
-  evidence.ensemble = [exact](const std::string& run) { return EnsembleOfRun{{run}, exact}; };
-  return evaluate(row, {{"particles", {RunState::finished, ""}}}, evidence);
+                  const CaseDefinition& definition = published_case()) {
+  return evaluate(row, {{"particles", {RunState::finished, ""}}},
+                  {{}, {}, [&](const std::string& run, const GateRow& asked) {
+                     EXPECT_EQ(run, "particles");
+                     return impact_metric(asked.metric, asked.mode, pressure, nullptr, definition);
+                   }});
 }
 
 // Each of them has a row for each impact.
@@ -90,17 +87,6 @@ TEST(ImpactMetrics, HoldOfARunThatDoesAsTheExperiment) {
   for (const GateRow& row : all_rows()) {
     const GateOutcome outcome = judge(row, pressure_of({}));
     EXPECT_EQ(outcome.verdict, Verdict::pass) << metric_name(row.metric) << outcome.message;
-  }
-}
-
-TEST(ImpactMetrics, OfThePeakDoNotPassOnOneRun) {
-  for (const Metric metric : {Metric::impact_peak_error, Metric::impulse_error}) {
-    const GateOutcome outcome =
-        judge(row_of(metric, "impact_2"), pressure_of({}), published_case(), false);
-    EXPECT_EQ(outcome.verdict,
-              metric == Metric::impulse_error ? Verdict::pass : Verdict::inconclusive)
-        << outcome.message;
-    EXPECT_NE(outcome.message.find("`repeats` of particles"), std::string::npos) << outcome.message;
   }
 }
 

@@ -109,6 +109,8 @@ TEST(ImportText, IsRefusedWithTheReasonInEachOfTheseForms) {
       {std::string("\xff\xfet\0;\0p\0\n\0", 10),
        "a.csv:1: encoding = UTF-16: expected UTF-8, as iconv -f UTF-16 -t UTF-8 writes it"},
       {std::string("\0t\0;\0p\0\n", 8), "a.csv:1: encoding = UTF-16: expected UTF-8"},
+      {start + std::string(1'000'001, '\0') + "\n",
+       "a.csv:5: line = of more than a megabyte: expected a table, whose lines are shorter"},
       {start + "1.5;4", "a.csv:5: row = 1.5;4: expected an end of the line: the file may be cut"},
       {start + "1,5;4\n",
        "a.csv:5: t = 1,5: expected a number with a decimal point and no decimal comma, in s"},

@@ -30,6 +30,20 @@ bool is_mistaken(char32_t character) {
          character == 0x2212 || character == 0x3000 || character == 0xfeff;
 }
 
+constexpr std::size_t longest_line = 1'000'000;  // [byte]
+
+// Returns the number of the first line that is longer; 0 where there is none.
+int too_long_line(std::string_view text) {
+  int number = 0;
+  for (std::size_t begin = 0; begin < text.size(); ++begin) {
+    ++number;
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (end - begin > longest_line) return number;
+    begin = end;
+  }
+  return 0;
+}
+
 std::string with_code_points(std::string_view text) {
   using Utf8 = boost::locale::utf::utf_traits<char>;
   std::string shown;
@@ -52,7 +66,11 @@ std::string with_code_points(std::string_view text) {
 
 TableReader::TableReader(const fs::path& file) : file_(file) {
   if (std::error_code absent; fs::exists(file, absent) || absent) try {
-      stream_.str(read_input(file));
+      std::string text = read_input(file);
+      // Before anything is split or quoted: a hole of a file is a line of zeros.
+      if (line_number_ = too_long_line(text); line_number_ > 0)
+        refuse("line", "of more than a megabyte", "a table, whose lines are shorter");
+      stream_.str(std::move(text));
     } catch (const fs::filesystem_error& error) {
       refuse("file", error.what(), "a file of a disk that can be read");
     }

@@ -3,6 +3,7 @@
 // columns the caller names. Their text may be as that of any program (table_head.hpp).
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,6 +12,20 @@
 #include "verification/input/tables/table_head.hpp"
 
 namespace slosh {
+
+// Reads the peak pressures of repeated impact experiments in the format of SPHERIC benchmark 10: a
+// title line that names the unit mbar, a header line, and a row for each run with the peaks of its
+// first four impacts, separated by tabs or blanks.
+
+struct PeakTable {
+  // [Pa], for each impact the peaks of the runs, in the order of the file.
+  std::array<std::vector<double>, 4> impacts;
+};
+
+// Throws CaseFileError with the table's file:line if the file cannot be read, if the title does not
+// name mbar, if there is no header, if a row is not four finite numbers, or if there are fewer than
+// two runs.
+PeakTable read_peak_table(const std::filesystem::path& file);
 
 struct TimeTable {
   std::string column;               // the value's name

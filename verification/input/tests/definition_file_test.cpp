@@ -1,9 +1,8 @@
-#include "verification/input/definition_file.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 
+#include "verification/input/input_files.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::definition_file_test {

@@ -1,6 +1,5 @@
 // Tables of peaks: read in pascal, or refused with their line. The published one is checked by its
 // statistics.
-#include "verification/input/tables/peak_table.hpp"
 
 #include <gtest/gtest.h>
 

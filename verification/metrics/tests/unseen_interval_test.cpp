@@ -137,6 +137,21 @@ TEST(UnseenInterval, OfTheCandidateHidesNoErrorElsewhere) {
   EXPECT_GT(compare(few, reference, window, {}).maximum_residual, 50);
 }
 
+// 8.57 - 8.54 is more than 0.03 by the rounding of both.
+TEST(LongestGap, OfTwoLostSamplesIsNotLongerThanThreeIntervalsByRounding) {
+  for (const double lost : {2.0, 4.0, 5.0, 7.0, 8.54}) {
+    TimeSeries series{"p", "m", {}, {}};
+    for (int i = 0; i <= 1000; ++i)
+      if (const double time = i / 100.0; time < lost + 0.005 || time > lost + 0.025) {
+        series.time.push_back(time);
+        series.value.push_back(std::sin(3 * time));
+      }
+    EXPECT_FALSE(longest_gap(series, 0.01)) << lost;
+    std::erase_if(series.time, [&](double time) { return std::abs(time - lost - 0.03) < 0.005; });
+    EXPECT_TRUE(longest_gap(series, 0.01)) << lost;
+  }
+}
+
 TEST(CoveredShare, LeavesOutGapsHolesAtTheEdgesAndWhatIsBeyondTheSeries) {
   const auto whole = sampled(pressure, -1, 21, 0.01);
   const TimeWindow all{0, 20};

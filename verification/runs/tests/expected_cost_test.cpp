@@ -2,18 +2,25 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
-#include "verification/runs/cost_records.hpp"
 #include "verification/tests/sample_case.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::expected_cost_test {
 namespace {
 
-const RunDefinition particles = sample_run(
-    SphRun{.scheme = "recommended", .particle_spacing = 0.01, .surface_particle_spacing = 0.01});
-const RunDefinition mesh = sample_run(InterFoamRun{.cells_x = 50, .cells_z = 50});
+RunDefinition particles(double spacing) {
+  return sample_run(SphRun{
+      .scheme = "recommended", .particle_spacing = spacing, .surface_particle_spacing = spacing});
+}
+
+RunDefinition linear(int modes) {
+  LinearRun solver;
+  solver.modes = modes;
+  return sample_run(solver);
+}
 
 RunDefinition external_run() {
   ExternalRun external{};
@@ -26,63 +33,66 @@ class ExpectedCostTest : public ::testing::Test {
   ExpectedCost cost_of(const RunDefinition& run) const {
     return expected_cost(sample_case(), run, "question-answer", store);
   }
+  void record(const RunDefinition& run, double seconds) const {
+    RunResult result;
+    result.cost = {.wall_time = seconds, .user_time = seconds, .peak_memory = 1e7};
+    record_cost(result, sample_case(), run, store);
+  }
 
   TemporaryDirectory directory;
   const ResultStore store{directory.path()};
 };
 
-TEST_F(ExpectedCostTest, IsAnEstimateWhereNothingWasMeasured) {
-  const ExpectedCost cost = cost_of(particles);
-  EXPECT_FALSE(cost.measured);
-  EXPECT_EQ(cost.uncertainty, 2);
-  EXPECT_EQ(cost_text({.processor_time = 12, .wall_time = 12, .memory = 0, .uncertainty = 1.5}),
-            "about 12 core-seconds, an estimate: 8 to 18");
-  EXPECT_EQ(cost_text({.processor_time = 1.4, .wall_time = 1, .memory = 0, .measured = true}),
-            "1.4 core-seconds measured");
+TEST_F(ExpectedCostTest, IsUnknownWhereNothingWasMeasured) {
+  EXPECT_FALSE(cost_of(particles(0.01)).known());
+  EXPECT_EQ(cost_text(cost_of(particles(0.01))), "core-seconds not known");
+  EXPECT_EQ(time_limit(cost_of(particles(0.01))), 72000);
 }
 
-TEST_F(ExpectedCostTest, LearnsFromOtherRunsOfTheSolverOnThisMachine) {
-  const double before = cost_of(particles).processor_time, of_mesh = cost_of(mesh).processor_time;
-  for (const double taken : {30.0, 31.0, 900.0}) record_cost({"sph", 10, taken}, store);
-  EXPECT_DOUBLE_EQ(cost_of(particles).processor_time, 3.1 * before) << "the median";
-  EXPECT_EQ(cost_of(particles).uncertainty, 1.5);
-  EXPECT_EQ(cost_of(mesh).processor_time, of_mesh) << "of another solver";
-  EXPECT_EQ(cost_of(mesh).uncertainty, 2);
+// Half the spacing has four times the particles and half the step.
+TEST_F(ExpectedCostTest, IsThatOfTheLastRunOfTheKindByParticlesAndSteps) {
+  record(particles(0.02), 999);
+  record(particles(0.02), 3);
+  const ExpectedCost fine = cost_of(particles(0.01));
+  EXPECT_NEAR(fine.processor_time, 24, 1) << "whole steps between the samples";
+  EXPECT_DOUBLE_EQ(fine.memory, 4e7);
+  EXPECT_FALSE(fine.measured);
+  EXPECT_EQ(cost_text({.processor_time = 24}), "about 24 core-seconds, scaled from another run");
+  EXPECT_DOUBLE_EQ(cost_of(particles(0.04)).memory, 1e7) << "a base that does not shrink";
+  RunDefinition other = particles(0.01);
+  std::get<SphRun>(other.solver).scheme = "li2010";
+  EXPECT_FALSE(cost_of(other).known()) << "another kind";
 }
 
-TEST_F(ExpectedCostTest, ForgetsWhatIsLongAgoAndWhatIsNoRecord) {
-  for (int i = 0; i < 40; ++i) record_cost({"sph", 10, 100}, store);
-  std::ofstream(directory.path() / "costs.txt", std::ios::app) << "sph x\nsph 1\nsph -1 3\n\n";
-  for (int i = 0; i < 30; ++i) record_cost({"sph", 10, 20}, store);
-  EXPECT_DOUBLE_EQ(machine_factor("sph", store).value(), 2);
-  for (int i = 0; i < 9000; ++i) record_cost({"sph", 10, 50}, store);
-  EXPECT_DOUBLE_EQ(machine_factor("sph", store).value(), 5);
+TEST_F(ExpectedCostTest, ScalesEachSolverByWhatItComputes) {
+  record(sample_run(InterFoamRun{.cells_x = 10, .cells_z = 10}), 1);
+  EXPECT_NEAR(cost_of(sample_run(InterFoamRun{.cells_x = 20, .cells_z = 20})).processor_time, 8,
+              1e-3);
+  record(sample_run(PotentialRun{.nodes_x = 10, .nodes_z = 10}), 1);
+  EXPECT_NEAR(cost_of(sample_run(PotentialRun{.nodes_x = 20, .nodes_z = 20})).processor_time, 4,
+              1e-3);
+  record(linear(10), 1);
+  EXPECT_NEAR(cost_of(linear(30)).processor_time, 3, 1e-3);
 }
 
-TEST_F(ExpectedCostTest, LearnsNothingFromARunOfAnInstant) {
-  record_cost({"sph", 0.01, 0.5}, store);
-  EXPECT_FALSE(machine_factor("sph", store));
-  EXPECT_FALSE(machine_factor("sph", ResultStore(directory.path() / "none")));
+TEST_F(ExpectedCostTest, ReadsPastLinesThatAreNoRecord) {
+  record(particles(0.01), 7);
+  std::ofstream(directory.path() / "costs.txt", std::ios::app)
+      << "sph 10 20\n0 0 9 9 recommended\nnan nan nan nan recommended\n1 1 1\n\n";
+  EXPECT_DOUBLE_EQ(cost_of(particles(0.01)).processor_time, 7);
 }
 
 TEST_F(ExpectedCostTest, LearnsNothingFromARunThatEndedEarlyOrThatIsNotOurs) {
-  RunResult result;
-  result.cost.user_time = 50;
-  learn_cost(result, sample_case(), external_run(), store);
-  EXPECT_FALSE(machine_factor("external", store));
-  result.provenance["left_range_because"] = "the surface is too steep";
-  learn_cost(result, sample_case(), sample_run(PotentialRun{}), store);
-  EXPECT_FALSE(machine_factor("potential", store));
-  result.provenance.clear();
-  learn_cost(result, sample_case(), sample_run(PotentialRun{}), store);
-  EXPECT_TRUE(machine_factor("potential", store));
+  record(external_run(), 50);
+  RunResult early;
+  early.cost.user_time = 50;
+  early.provenance["left_range_because"] = "the surface is too steep";
+  record_cost(early, sample_case(), sample_run(PotentialRun{}), store);
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "costs.txt"));
 }
 
-TEST_F(ExpectedCostTest, IsUnknownOfAnExternalProgram) {
+TEST_F(ExpectedCostTest, KeepsTheLimitsOfAnExternalProgram) {
   RunDefinition run = external_run();
-  EXPECT_EQ(cost_text(cost_of(run)), "core-seconds not known");
-  EXPECT_EQ(cost_of(run).processor_time, 0);
-  EXPECT_EQ(cost_of(run).wall_time, 0);
   EXPECT_EQ(time_limit(cost_of(run)), 72000) << "it may take long";
   auto& external = std::get<ExternalRun>(run.solver);
   external.cores = 2;
@@ -92,7 +102,7 @@ TEST_F(ExpectedCostTest, IsUnknownOfAnExternalProgram) {
   EXPECT_EQ(time_limit(cost_of(run)), 7320) << "its own limit ends it first";
 }
 
-TEST_F(ExpectedCostTest, IsWhatAnEarlierRunOfAnExternalProgramTook) {
+TEST_F(ExpectedCostTest, IsWhatAnEarlierRunWithTheSameKeyTook) {
   RunResult result;
   result.cost = {.wall_time = 100, .user_time = 80, .system_time = 10, .peak_memory = 5e6};
   write_result(result, store.file("question-answer", ".h5"));

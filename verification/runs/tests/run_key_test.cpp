@@ -69,90 +69,51 @@ TEST_F(RunKey, OfARectangularTankDoesNotKnowOfOutlines) {
   EXPECT_EQ(key(definition, sph).substr(0, 32), "5b9828da6c63ed72d2fea468c671cf06");
 }
 
+#define CHANGE(...) [](CaseDefinition& c) { __VA_ARGS__; }
+
 TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
   const std::string before = key(sample_case(), sph);
   const std::vector<std::function<void(CaseDefinition&)>> changes{
-      [](auto& c) { c.gravity = 9.0; },
-      [](auto& c) { c.tank.length = 1.01; },
-      [](auto& c) { c.tank.height = 0.9; },
-      [](auto& c) { c.tank.breadth = 0.06; },
-      [](auto& c) {
-        c.tank.outline = {{0, 0}, {1, 0}, {0.5, 1}};
-      },
-      [](auto& c) {
-        c.tank.outline = {{0, 0}, {1, 0}, {0.6, 1}};
-      },
-      [](auto& c) { c.liquid.fill_depth = 0.36; },
-      [](auto& c) { c.liquid.density = 999; },
-      [](auto& c) { c.liquid.column_width = 0.3; },
-      [](auto& c) {
-        c.obstacles.push_back({"baffle", 0.4, 0.5, 0, 0.2});
-      },
-      [](auto& c) {
-        c.initial_wave = {1, 0.01};
-      },
-      [](auto& c) {
-        c.initial_wave = {2, 0.01};
-      },
-      [](auto& c) {
-        c.initial_wave = {1, -0.01};
-      },
-      [](auto& c) { c.motion = {}; },
-      [](auto& c) { c.liquid.kinematic_viscosity = 2e-6; },
-      [](auto& c) { std::get<SineMotion>(*c.motion.surge).amplitude += 1e-15; },
-      [](auto& c) { std::get<SineMotion>(*c.motion.surge).ramp_periods = 2; },
-      [](auto& c) { std::get<SineMotion>(*c.motion.surge).phase = 0.1; },
-      [](auto& c) {
-        c.motion.surge = SumOfSines{{SineMotion{0.02, 2}, SineMotion{0.01, 3}}};
-      },
-      [](auto& c) {
-        c.motion.surge = SumOfSines{{SineMotion{0.02, 2}, SineMotion{0.01, 3, 0, 0.1}}};
-      },
-      [](auto& c) {
-        c.motion.surge = TableMotion{"table.csv", {0, 1, 2}, {0, 0.01, 0}};
-      },
-      [](auto& c) {
-        c.motion = {.roll = RollDefinition{SineMotion{0.02, 0.3 * 4.94488}, 0.5, 0}};
-      },
-      [](auto& c) {
-        c.motion.roll = RollDefinition{SineMotion{0.02, 2}, 0.5, 0};
-      },
-      [](auto& c) {
-        c.motion.roll = RollDefinition{SineMotion{0.02, 2}, 0.5, 0.1};
-      },
-      [](auto& c) {
-        c.motion.roll = RollDefinition{SineMotion{0.02, 2}, 0.4, 0};
-      },
-      [](auto& c) {
-        c.motion.roll = RollDefinition{SineMotion{0.03, 2}, 0.5, 0};
-      },
-      [](auto& c) {
-        c.pressure_gauges = {{"left", Wall::left, 0.1}};
-      },
-      [](auto& c) {
-        c.pressure_gauges = {{"left", Wall::right, 0.1}};
-      },
-      [](auto& c) {
-        c.pressure_gauges = {{"left", Wall::left, 0.2}};
-      },
-      [](auto& c) {
-        c.pressure_gauges = {{"left", Wall::left, 0.1, 0.01}};
-      },
-      [](auto& c) {
-        c.pressure_gauges = {{"left", Wall::left, 0.1, 0, 10}};
-      },
-      [](auto& c) {
-        c.pressure_gauges = {{.name = "left", .wall = Wall::left, .position = 0.1, .at = Corner{}}};
-      },
-      [](auto& c) {
-        c.pressure_gauges = {
-            {.name = "left", .wall = Wall::left, .position = 0.1, .at = Corner{0, 0.2}}};
-      },
-      [](auto& c) { c.start = Start::tank; },
-      [](auto& c) { c.duration = 3; },
-      [](auto& c) { c.sample_interval = 0.01; },
-      [](auto& c) { c.gauges[1].x = 0.9; },
-      [](auto& c) { c.gauges.pop_back(); }};
+      CHANGE(c.gravity = 9.0),
+      CHANGE(c.tank.length = 1.01),
+      CHANGE(c.tank.height = 0.9),
+      CHANGE(c.tank.breadth = 0.06),
+      CHANGE(c.tank.outline = {{0, 0}, {1, 0}, {0.5, 1}}),
+      CHANGE(c.tank.outline = {{0, 0}, {1, 0}, {0.6, 1}}),
+      CHANGE(c.liquid.fill_depth = 0.36),
+      CHANGE(c.liquid.density = 999),
+      CHANGE(c.liquid.column_width = 0.3),
+      CHANGE(c.obstacles.push_back({"baffle", 0.4, 0.5, 0, 0.2})),
+      CHANGE(c.initial_wave = {1, 0.01}),
+      CHANGE(c.initial_wave = {2, 0.01}),
+      CHANGE(c.initial_wave = {1, -0.01}),
+      CHANGE(c.motion = {}),
+      CHANGE(c.liquid.kinematic_viscosity = 2e-6),
+      CHANGE(std::get<SineMotion>(*c.motion.surge).amplitude += 1e-15),
+      CHANGE(std::get<SineMotion>(*c.motion.surge).ramp_periods = 2),
+      CHANGE(std::get<SineMotion>(*c.motion.surge).phase = 0.1),
+      CHANGE(c.motion.surge = SumOfSines{{SineMotion{0.02, 2}, SineMotion{0.01, 3}}}),
+      CHANGE(c.motion.surge = SumOfSines{{SineMotion{0.02, 2}, SineMotion{0.01, 3, 0, 0.1}}}),
+      CHANGE(c.motion.surge = TableMotion{"table.csv", {0, 1, 2}, {0, 0.01, 0}}),
+      CHANGE(c.motion = {.roll = RollDefinition{SineMotion{0.02, 0.3 * 4.94488}, 0.5, 0}}),
+      CHANGE(c.motion.roll = RollDefinition{SineMotion{0.02, 2}, 0.5, 0}),
+      CHANGE(c.motion.roll = RollDefinition{SineMotion{0.02, 2}, 0.5, 0.1}),
+      CHANGE(c.motion.roll = RollDefinition{SineMotion{0.02, 2}, 0.4, 0}),
+      CHANGE(c.motion.roll = RollDefinition{SineMotion{0.03, 2}, 0.5, 0}),
+      CHANGE(c.pressure_gauges = {{"left", Wall::left, 0.1}}),
+      CHANGE(c.pressure_gauges = {{"left", Wall::right, 0.1}}),
+      CHANGE(c.pressure_gauges = {{"left", Wall::left, 0.2}}),
+      CHANGE(c.pressure_gauges = {{"left", Wall::left, 0.1, 0.01}}),
+      CHANGE(c.pressure_gauges = {{"left", Wall::left, 0.1, 0, 10}}),
+      CHANGE(c.pressure_gauges =
+                 {{.name = "left", .wall = Wall::left, .position = 0.1, .at = Corner{}}}),
+      CHANGE(c.pressure_gauges =
+                 {{.name = "left", .wall = Wall::left, .position = 0.1, .at = Corner{0, 0.2}}}),
+      CHANGE(c.start = Start::tank),
+      CHANGE(c.duration = 3),
+      CHANGE(c.sample_interval = 0.01),
+      CHANGE(c.gauges[1].x = 0.9),
+      CHANGE(c.gauges.pop_back())};
   std::set<std::string> keys{before};
   for (std::size_t i = 0; i < changes.size(); ++i) {
     CaseDefinition changed = sample_case();
@@ -160,6 +121,8 @@ TEST_F(RunKey, ChangesWithEveryPartOfThePhysics) {
     EXPECT_TRUE(keys.insert(key(changed, sph)).second) << "change " << i;
   }
 }
+
+#undef CHANGE
 
 TEST_F(RunKey, OfARunAtTheEndOfAnInputIsThatOfTheCaseWithThisInput) {
   RunDefinition end = sph;
@@ -376,6 +339,22 @@ TEST_F(RunKey, OfAnExternalRunChangesWithWhatLiesBelowADirectoryOfItsInputs) {
   EXPECT_TRUE(changed_by(
       [&] { std::filesystem::rename(modules / "deep" / "b.py", modules / "deep" / "d.py"); }));
   EXPECT_FALSE(changed_by([&] { write(".hidden", "first"); }));
+}
+
+TEST_F(RunKey, OfAnExternalRunChangesWithTheDirectoryThatItStartsInAndNotWithThatOfItsCase) {
+  CaseDefinition definition = sample_case();
+  definition.file = "/here/small.toml";
+  ExternalRun external;
+  external.command = {"sh"};
+  const auto key_of = [&](const char* directory) {
+    external.directory = directory;
+    return key(definition, sample_run(external));
+  };
+  const std::string first = key_of("/here/v1/tables");
+  EXPECT_NE(key_of("/here/v2/tables"), first) << "of the same last name";
+  EXPECT_NE(key_of(""), first);
+  definition.file = "/there/small.toml";
+  EXPECT_EQ(key_of("/there/v1/tables"), first);
 }
 
 TEST_F(RunKey, OfAStoredResultChangesWithEachOfItsFiles) {

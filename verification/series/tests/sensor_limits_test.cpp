@@ -157,5 +157,47 @@ TEST(SensorLimits, FindAClippedCrestBelowItsNoise) {
     }
 }
 
+// A logger's own interval, and a program's that writes what it interpolates.
+TEST(SensorLimits, FindReadingsThatAreHeldOrJoinedByLines) {
+  for (const double interval : {0.005, 0.02}) {
+    for (const double sparse : {2 * interval, 0.1, 0.3}) {
+      const auto reading = [&](double t) { return wave(std::floor(t / sparse + 1e-9) * sparse); };
+      const SensorLimits held = sensor_limits(sampled(reading, 0, 20, interval));
+      const bool matters = sparse > 0.02;  // a lag of 1.3 degrees
+      ASSERT_EQ(held.sparse.has_value(), matters) << sparse << " " << interval;
+      if (!matters) continue;
+      EXPECT_TRUE(held.sparse->held);
+      EXPECT_NEAR(held.sparse->interval, sparse, 1e-9);
+    }
+    const double sparse = 0.3;
+    const auto line = [&](double t) {
+      const double begin = std::floor(t / sparse + 1e-9) * sparse;
+      return std::lerp(wave(begin), wave(begin + sparse), (t - begin) / sparse);
+    };
+    const SensorLimits joined = sensor_limits(sampled(line, 0, 20, interval));
+    ASSERT_TRUE(joined.sparse) << interval;
+    EXPECT_FALSE(joined.sparse->held);
+    EXPECT_NEAR(joined.sparse->interval, sparse, 1e-9);
+    EXPECT_NEAR(joined.sparse->hidden, 1 - std::cos(two_pi / period * sparse / 2), 0.1);
+  }
+}
+
+TEST(SensorLimits, DoNotTakeFewOrLostSamplesARestOrASmoothWaveForSparseReadings) {
+  std::mt19937 draw(3);
+  std::bernoulli_distribution lost(0.4);
+  for (const double interval : {0.0001, 0.001, 0.01, 0.1, 0.3}) {
+    TimeSeries series =
+        sampled([](double t) { return t < 8 ? 0 : wave(t) - wave(8); }, 0, 20, interval);
+    EXPECT_FALSE(sensor_limits(series).sparse) << interval;
+    TimeSeries part{series.name, series.unit, {}, {}};
+    for (std::size_t i = 0; i < series.time.size(); ++i)
+      if (!lost(draw)) {
+        part.time.push_back(series.time[i]);
+        part.value.push_back(series.value[i]);
+      }
+    EXPECT_FALSE(sensor_limits(part).sparse) << interval;
+  }
+}
+
 }  // namespace
 }  // namespace slosh::sensor_limits_test

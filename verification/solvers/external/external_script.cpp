@@ -1,13 +1,13 @@
 #include "verification/solvers/external/external_script.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <fstream>
 #include <string_view>
 
+#include "verification/solvers/external/named_files.hpp"
 #include "verification/solvers/external_command.hpp"
 
 namespace slosh {
@@ -34,46 +34,90 @@ bool begins_as_script(const fs::path& file) {
   return std::ifstream(file, std::ios::binary).read(head, 2) && head[0] == '#' && head[1] == '!';
 }
 
-// Whether another run of its method has another spacing and the same command, which does not name
-// it. The placeholders are still in the command.
-bool ignores_spacing(const ExternalRun& external, const CaseDefinition& definition) {
-  if (!external.particle_spacing ||
-      fmt::format("{}", fmt::join(external.command, " ")).find("{particle_spacing_m}") !=
-          std::string::npos)
-    return false;
-  return std::any_of(definition.runs.begin(), definition.runs.end(), [&](const auto& run) {
-    const auto* other = std::get_if<ExternalRun>(&run.solver);
-    return other && other->method == external.method &&
-           other->particle_spacing != external.particle_spacing &&
-           other->command == external.command;
+// Whether `inputs` names a file below this directory.
+bool has_input(const ExternalRun& external, const fs::path& directory) {
+  const fs::path whole = fs::weakly_canonical(directory);
+  const auto is_below = [&](const InputFile& input) {
+    const fs::path file = fs::weakly_canonical(input.file);
+    return std::mismatch(whole.begin(), whole.end(), file.begin(), file.end()).first == whole.end();
+  };
+  return std::any_of(external.inputs.begin(), external.inputs.end(), [&](const fs::path& input) {
+    const std::vector<InputFile> files = input_files(input);
+    return std::any_of(files.begin(), files.end(), is_below);
   });
+}
+
+// The files whose content is part of the run's key.
+std::vector<fs::path> known_files(const ExternalRun& external, const CaseDefinition& definition) {
+  std::vector<fs::path> files{external_program(external, definition)};
+  for (InputFile& input : external_inputs(external, definition)) files.push_back(input.file);
+  return files;
+}
+
+// Those that are named each by itself, not by the directory that holds them. The case file, which
+// names what other runs read, is none, nor is an installed program (pyenv's python3 is a script).
+std::vector<fs::path> single_files(const ExternalRun& external, const CaseDefinition& definition) {
+  std::vector<fs::path> files;
+  const std::string& program = external.command.front();
+  if (program.find('/') != program.npos && !is_interpreter(program))
+    files.push_back(external_program(external, definition));
+  std::error_code lost;
+  for (const fs::path& path : argument_paths(external, definition))
+    if (fs::is_regular_file(path, lost)) files.push_back(path.lexically_normal());
+  for (const fs::path& input : external.inputs)
+    if (!fs::is_directory(input, lost))
+      for (InputFile& file : input_files(input)) files.push_back(file.file.lexically_normal());
+  std::erase(files, fs::absolute(definition.file).lexically_normal());
+  return files;
+}
+
+// The files that the arguments and the texts of the run name.
+std::vector<fs::path> files_seen(const ExternalRun& external, const CaseDefinition& definition) {
+  std::vector<fs::path> seen, places{fs::absolute(definition.file).parent_path()};
+  if (!external.directory.empty()) places.push_back(external.directory);
+  const std::vector<std::string> command = external_command(external, definition, "/dev/null");
+  for (auto argument = command.begin() + 1; argument != command.end(); ++argument)
+    std::ranges::move(files_meant_by(*argument, places), std::back_inserter(seen));
+  for (const fs::path& text : single_files(external, definition)) {
+    std::vector<fs::path> beside = places;
+    beside.push_back(text.parent_path());
+    std::ranges::move(files_named_in(text, beside), std::back_inserter(seen));
+  }
+  return seen;
 }
 
 }  // namespace
 
 std::string unlisted_script(const ExternalRun& external, const CaseDefinition& definition) {
-  if (!external.inputs.empty() || external.command.front().starts_with("{peers_directory}"))
-    return "";
-  for (const std::string& word : external.command)
-    if (is_interpreter(word)) return word;
-  std::vector<fs::path> files{external_program(external, definition)};
-  for (InputFile& input : external_inputs(external, definition)) files.push_back(input.file);
-  for (const fs::path& file : files)
-    if (begins_as_script(file)) return file.filename().string();
-  if (!external.directory.empty()) return external.directory.filename().string();
-  for (const fs::path& path : argument_paths(external, definition))
-    if (std::error_code none; fs::is_directory(path, none)) return path.lexically_normal().string();
+  if (external.command.front().starts_with("{peers_directory}")) return "";
+  std::vector<fs::path> known = known_files(external, definition);
+  if (external.inputs.empty()) {
+    for (const std::string& word : external.command)
+      if (is_interpreter(word)) return word;
+    for (const fs::path& file : known)
+      if (begins_as_script(file)) return file.filename().string();
+  }
+  std::vector<fs::path> directories = argument_paths(external, definition);
+  if (!external.directory.empty()) directories.insert(directories.begin(), external.directory);
+  for (const fs::path& directory : directories)
+    if (std::error_code none; fs::is_directory(directory, none) && !has_input(external, directory))
+      return directory.lexically_normal().string();
+  known.push_back(definition.file);
+  const auto is_known = [&](const fs::path& file) {
+    return std::ranges::any_of(known, [&](const fs::path& one) {
+      std::error_code lost;
+      return fs::equivalent(one, file, lost);
+    });
+  };
+  for (const fs::path& file : files_seen(external, definition))
+    if (!is_known(file) && !is_interpreter(file.string()))
+      return file.lexically_proximate(fs::absolute(definition.file).parent_path()).string();
   return "";
 }
 
 std::string script_doubt(const RunDefinition& run, const CaseDefinition& definition) {
   const auto* external = std::get_if<ExternalRun>(&run.solver);
   const bool has_place = external && !definition.file.empty();  // from which its files are found
-  if (external && ignores_spacing(*external, definition))
-    return fmt::format(
-        "run {}: its command has no {{particle_spacing_m}}, so that the runs of {} may be one and "
-        "the same",
-        run.name, external->method);
   const std::string script = has_place ? unlisted_script(*external, definition) : "";
   if (script.empty()) return "";
   return fmt::format(

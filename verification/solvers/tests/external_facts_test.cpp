@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "verification/input/case_file_error.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::external_facts_test {
@@ -22,11 +23,8 @@ RunResult told(const std::string& text) {
   return result;
 }
 
-std::string complaint(const std::string& text) try {
-  told(text);
-  return "";
-} catch (const CaseFileError& error) {
-  return error.what();
+std::string complaint(const std::string& text) {
+  return message_of<CaseFileError>([&] { told(text); });
 }
 
 TEST(ExternalFacts, AreCountsOfTheCostAndDiagnostics) {
@@ -54,10 +52,8 @@ TEST(ExternalFacts, CountTheTimesOfCompilingApart) {
 
 TEST(ExternalFacts, RefuseACompilationThatTookLongerThanTheProgram) {
   for (const char* key : {"compile_wall_time_s", "compile_processor_time_s"})
-    EXPECT_NE(
-        complaint(std::string("{\"schema_version\": 1, \"") + key + "\": 11}")
-            .find(std::string(key) + " = 11: expected at most the 10 s that the program took"),
-        std::string::npos);
+    EXPECT_TRUE(holds(complaint(std::string("{\"schema_version\": 1, \"") + key + "\": 11}"),
+                      std::string(key) + " = 11: expected at most the 10 s that the program took"));
 }
 
 TEST(ExternalFacts, StayUnknownWhereTheProgramDoesNotKnowThem) {
@@ -86,8 +82,8 @@ TEST(ExternalFacts, AreRefusedByTheKeyThatIsWrong) {
       {"", "not JSON: "}};
   for (const auto& [text, wanted] : texts) {
     const std::string said = complaint(text);
-    EXPECT_NE(said.find("cost.json: "), std::string::npos) << said;
-    EXPECT_NE(said.find(wanted), std::string::npos) << said << "\nwanted: " << wanted;
+    EXPECT_TRUE(holds(said, "cost.json: "));
+    EXPECT_TRUE(holds(said, wanted));
   }
   RunResult result;
   EXPECT_THROW(add_external_facts("/none/cost.json", took_ten_seconds, result), CaseFileError);
@@ -105,14 +101,13 @@ RunResult stored(const std::string& rest, double duration) {
   return result;
 }
 
-std::string complaint_of_stored(const std::string& text) try {
-  const TemporaryDirectory directory;
-  std::ofstream(directory.path() / "cost.json") << text;
-  RunResult result;
-  add_stored_facts(directory.path() / "cost.json", 2, result);
-  return "";
-} catch (const CaseFileError& error) {
-  return error.what();
+std::string complaint_of_stored(const std::string& text) {
+  return message_of<CaseFileError>([&] {
+    const TemporaryDirectory directory;
+    std::ofstream(directory.path() / "cost.json") << text;
+    RunResult result;
+    add_stored_facts(directory.path() / "cost.json", 2, result);
+  });
 }
 
 TEST(FactsOfAStoredResult, SayWhichCodeRanWhenWhereAndAtWhatCost) {
@@ -160,8 +155,7 @@ TEST(FactsOfAStoredResult, AreRefusedByTheKeyThatIsWrong) {
       {origin + long_enough + R"(, "steps": 1.5})", "steps = 1.5: expected an integer > 0"}};
   for (const auto& [text, wanted] : texts) {
     const std::string said = complaint_of_stored(text);
-    EXPECT_NE(said.find("cost.json: " + wanted), std::string::npos)
-        << said << "\nwanted: " << wanted;
+    EXPECT_TRUE(holds(said, "cost.json: " + wanted)) << said << "\nwanted: " << wanted;
   }
 }
 
@@ -178,8 +172,7 @@ TEST(ExternalFacts, AreThoseOfThePublishedSchema) {
 }
 
 TEST(ExternalFacts, RefuseANumberBeyondWhatADoubleHolds) {
-  EXPECT_NE(complaint(R"({"schema_version": 1, "steps": 1e999})").find("cost.json: not JSON"),
-            std::string::npos);
+  EXPECT_TRUE(holds(complaint(R"({"schema_version": 1, "steps": 1e999})"), "cost.json: not JSON"));
 }
 
 }  // namespace

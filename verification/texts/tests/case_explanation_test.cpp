@@ -38,9 +38,8 @@ GateRow row_of(Metric metric, const std::string& unit) {
 TEST(CaseExplanation, TellsWhatWasMeasuredApartFromWhatIsExpected) {
   KnownRun known;
   known.cost.processor_time = 1.4;
-  known.cost.uncertainty = 2;
   const std::string expected = explanation(tank(), {{"a_run", known}});
-  EXPECT_TRUE(holds(expected, "spacing 10 mm: about 1.4 core-seconds, an estimate: 0.7 to 2.8 "))
+  EXPECT_TRUE(holds(expected, "spacing 10 mm: about 1.4 core-seconds, scaled from another run "))
       << expected;
   known.start = SphOutline{3500, {"a kernel", "a state"}};
   known.cost.measured = true;

@@ -5,14 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "verification/tests/messages.hpp"
 #include "verification/tests/sample_case.hpp"
 
 namespace slosh::run_summary_test {
 namespace {
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 RunResult swaying(double duration) {
   RunResult result;

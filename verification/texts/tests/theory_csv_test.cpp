@@ -1,6 +1,6 @@
-#include "verification/texts/theory_csv.hpp"
-
 #include <gtest/gtest.h>
+
+#include "verification/texts/series_csv.hpp"
 
 namespace slosh::theory_csv_test {
 namespace {

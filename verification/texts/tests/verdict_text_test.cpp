@@ -1,8 +1,8 @@
-#include "verification/texts/verdict_text.hpp"
-
 #include <gtest/gtest.h>
 
 #include <sstream>
+
+#include "verification/texts/assessment_text.hpp"
 
 namespace slosh::verdict_text_test {
 namespace {

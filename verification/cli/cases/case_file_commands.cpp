@@ -1,0 +1,187 @@
+// The subcommand explain: describes a case in words, with the known costs of its runs, or lists the
+// keys of case files.
+//
+// The subcommand new: writes a case file for the user to edit, with each key explained.
+//
+// The subcommand check: says all that is wrong with a case file, and all that is doubtful about it,
+// before anything runs.
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "verification/assessment/doubts/case_doubts.hpp"
+#include "verification/case/solver_kinds.hpp"
+#include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/from_keys/commented_case.hpp"
+#include "verification/case_file/from_keys/key_schema.hpp"
+#include "verification/case_file/key_table.hpp"
+#include "verification/cli/campaign/requested_campaign.hpp"
+#include "verification/cli/command_tree.hpp"
+#include "verification/files/atomic_file.hpp"
+#include "verification/gate/gate.hpp"
+#include "verification/runs/expected_cost.hpp"
+#include "verification/runs/run_case.hpp"
+#include "verification/runs/run_key.hpp"
+#include "verification/texts/case_explanation.hpp"
+
+namespace slosh {
+namespace {
+
+struct CheckOptions {
+  std::string case_name;
+  std::filesystem::path experiments;
+};
+
+// The theories that are sums of known functions, at most `most_samples` of each, without the
+// estimates of what they leave out: they tell whether a theory leaves its range.
+CaseRuns closed_forms(CaseDefinition definition) {
+  constexpr double most_samples = 20'000;
+  definition.sample_interval =
+      std::max(definition.sample_interval, definition.duration / most_samples);
+  RunSettings settings;
+  settings.with_left_out = false;
+  CaseRuns runs;
+  for (const RunDefinition& run : definition.runs)
+    if (std::holds_alternative<LinearRun>(run.solver) ||
+        std::holds_alternative<ViscousWaveRun>(run.solver))
+      runs.results[run.name] = execute(definition, run, settings, [](double, double) {});
+  return runs;
+}
+
+int check(const CheckOptions& options, const Installation& installation) {
+  const CaseDefinition definition =
+      read_case(find_case(options.case_name, installation.cases), whole(options.experiments));
+  require_runnable(std::vector<CaseDefinition>{definition});
+  const std::vector<std::string> doubts = case_doubts(definition, closed_forms(definition));
+  std::cout << definition.name << ": nothing is wrong";
+  if (doubts.empty()) std::cout << " or doubtful";
+  std::cout << "\n";
+  for (const std::string& doubt : doubts) std::cout << "doubtful: " << doubt << "\n";
+  return exit_pass;
+}
+
+struct NewOptions {
+  std::string name, like;
+  std::filesystem::path output;  // empty: NAME.toml
+};
+
+int leave_case(const NewOptions& options, const Installation& installation) {
+  const std::filesystem::path file =
+      options.output.empty() ? std::filesystem::path(options.name + ".toml") : options.output;
+  const std::string text =
+      commented_case(read_case(find_case(options.like, installation.cases)), options.name);
+  if (std::filesystem::exists(file))
+    throw CaseFileError("--output: " + file.string() +
+                        ": expected a file that is not there yet, as it is not to be lost");
+  replace_file(file, text, Durability::process_crash);
+  std::cout << "case: " << file.string() << "\n";
+  return exit_pass;
+}
+
+KnownRun known_run(const CaseDefinition& definition, const RunDefinition& run,
+                   const Installation& installation) {
+  const std::string key =
+      run_key(definition, run, installation.builds, installation.openfoam_templates);
+  KnownRun known{.cost =
+                     expected_cost(definition, run, key, ResultStore(usual_store(installation)))};
+  if (solver_kind(run).has_particles) known.start = sph_outline(definition, run);
+  known.step = sph_step(definition, run);
+  return known;
+}
+
+int explain(const std::string& name, const Installation& installation) {
+  const CaseDefinition definition = read_case(find_case(name, installation.cases));
+  std::map<std::string, KnownRun> known;
+  for (const RunDefinition& run : definition.runs)
+    known[run.name] = known_run(definition, run, installation);
+  std::cout << explanation(definition, known);
+  return exit_pass;
+}
+
+int print_keys() {
+  std::cout << key_reference();
+  return exit_pass;
+}
+
+int print_schema(const std::string& kind) {
+  std::cout << (kind == "case" ? case_schema() : campaign_schema());
+  return exit_pass;
+}
+
+struct ExplainOptions {
+  std::string name, schema;
+  bool keys = false;
+};
+
+int explain(const ExplainOptions& options, const Installation& installation) {
+  if (options.keys) return print_keys();
+  return options.schema.empty() ? explain(options.name, installation)
+                                : print_schema(options.schema);
+}
+
+}  // namespace
+
+void add_check_command(const CommandTree& tree) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App& command = add_command(
+      tree,
+      {"check",
+       "Says what is wrong with a case file (exit status 2), and what is doubtful about it",
+       {"./slosh check li2010_small_amplitude"}},
+      [options, &installation = tree.installation] { return check(*options, installation); });
+  command
+      .add_option("case", options->case_name, "A case of `slosh list`, or the path of a case file")
+      ->type_name(case_type)
+      ->required();
+  add_experiments_option(command, options->experiments);
+}
+
+void add_new_command(const CommandTree& tree) {
+  auto options = std::make_shared<NewOptions>();
+  CLI::App& command = add_command(
+      tree,
+      {"new",
+       "Writes a case file to edit, like another case, with each key explained",
+       {"./slosh new my_tank --like li2010_small_amplitude -o my_tank.toml"}},
+      [options, &installation = tree.installation] { return leave_case(*options, installation); });
+  command.add_option("name", options->name, "The name of the new case")
+      ->type_name("NAME")
+      ->required();
+  command
+      .add_option("--like", options->like,
+                  "The case to begin with: one of `slosh list`, or the path of a case file")
+      ->type_name(case_type)
+      ->required();
+  command.add_option("-o,--output", options->output, "The new case file (default: NAME.toml)")
+      ->type_name(file_type);
+}
+
+void add_explain_command(const CommandTree& tree) {
+  auto options = std::make_shared<ExplainOptions>();
+  CLI::App& command = add_command(
+      tree,
+      {"explain",
+       "Explains a case: its flow, its solvers and their costs, and its gate rows",
+       {"./slosh explain li2010_small_amplitude", "./slosh explain --keys",
+        "./slosh explain --schema case"}},
+      [options, &installation = tree.installation] { return explain(*options, installation); });
+  CLI::Option* name =
+      command
+          .add_option("case", options->name, "A case of `slosh list`, or the path of a case file")
+          ->type_name(case_type);
+  CLI::Option* keys =
+      command.add_flag("--keys", options->keys,
+                       "Instead of a case: all keys of case and campaign files, as Markdown");
+  command
+      .add_option("--schema", options->schema,
+                  "Instead of a case: the JSON Schema of case or campaign files, for editors")
+      ->type_name("KIND")
+      ->check(one_of("a kind of file", {"case", "campaign"}))
+      ->excludes(name)
+      ->excludes(keys);
+  keys->excludes(name);
+  command.require_option(1);
+}
+
+}  // namespace slosh

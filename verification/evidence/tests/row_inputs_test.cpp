@@ -1,0 +1,211 @@
+// What inputs that nobody knows well make of a row: many predictions each.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "verification/case/changed_input.hpp"
+#include "verification/evidence/tests/row_of_a_record.hpp"
+#include "verification/runs/run_case.hpp"
+
+namespace slosh::row_inputs_test {
+namespace {
+
+// A bound that no tank can have, and one at which theory fails: the row names the input, does not
+// pass, and keeps what the other inputs do.
+TEST(RowUncertainty, OfAnInputThatCannotBePropagatedIsNamedAndKeepsTheOthers) {
+  const InputUncertainty known{Input::amplitude, 0.0002, "a ruler"};
+  for (const auto& [input, half_width, reason] :
+       {std::tuple{Input::sensor_position, 0.06, "x of gauge right in m = 1.01: expected 0 to 1"},
+        {Input::fill_depth, 1e6, "fill depth = "},
+        {Input::fill_depth, 0.34, "fill depth = 0.69 m: expected above 0 and below"},
+        {Input::gravity, 10.0, "gravity = -0.19: expected 0 or more"},
+        {Input::density, 2000.0, "density = -1000 kg/m3: expected above that of the gas"},
+        {Input::kinematic_viscosity, 1.0, "kinematic viscosity = "},
+        {Input::period, 5.0, "the motion: expected amplitudes and periods above zero"},
+        {Input::gravity, 9.81, "the sensitivity to gravity is unknown: "}}) {
+    OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0.01);
+    row.definition.tank.height = input == Input::fill_depth && half_width < 1 ? 0.6 : 1.0;
+    row.definition.inputs = {{input, half_width, "a guess"}, known};
+    const GateOutcome outcome = row.judged();
+    EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << reason;
+    EXPECT_NEAR(outcome.judgement->contributions.input.known(), 0.0002 / 0.02, 1e-6);
+    EXPECT_NE(outcome.message.find("the sensitivity to " + input_name(input) + " is unknown"),
+              std::string::npos);
+    EXPECT_NE(outcome.message.find(reason), std::string::npos) << outcome.message;
+    row.definition.inputs = {known};
+    EXPECT_EQ(row.judged().verdict, Verdict::pass) << reason;
+    row.definition.inputs = {{input, half_width, "a guess"}};
+    EXPECT_EQ(row.judged().verdict, Verdict::inconclusive) << reason << ", alone";
+  }
+}
+
+// What the tank's own amplitude or period would make of a candidate that answers as theory does, 2
+// % above a record of any height and late by some samples, against what the row counts. Theory is
+// far from both.
+struct OfAnAnswer : OfARecord {
+  static constexpr double factor = 1.02;
+  double height;
+  std::size_t late;
+
+  OfAnAnswer(Metric metric, const std::string& mode, double high, std::size_t samples_late,
+             Input input, double half_width)
+      : OfARecord(metric, mode, "1", 0.5, 0), height(high), late(samples_late) {
+    definition.runs.pop_back();
+    runs.results.erase("coarse_particles");
+    runs.status.erase("coarse_particles");
+    definition.refinements.clear();
+    definition.inputs = {{input, half_width, "nobody"}};
+    runs.results["record"] = result_of("record", scaled(elevation_of({}), height));
+    runs.results["particles"] = result_of("particles", answer({}));
+  }
+  TimeSeries answer(const Theory& tank) const {
+    TimeSeries series = scaled(elevation_of(tank), factor * height);
+    series.value.insert(series.value.begin(), late, 0.0);
+    series.value.resize(series.time.size());
+    return series;
+  }
+  double measured(const Theory& tank) const {
+    OfARecord other = *this;
+    other.definition.inputs.clear();
+    other.runs.results["particles"] = result_of("particles", answer(tank));
+    return other.judged().value.value;
+  }
+  double reach(const std::function<Theory(double)>& tank) const {
+    const double own = measured({});
+    return std::max(std::abs(measured(tank(-1)) - own), std::abs(measured(tank(1)) - own));
+  }
+};
+
+TEST(RowUncertainty, OfAnInputIsOfTheCandidateHoweverFarTheoryIs) {
+  const double frequency = Theory().angular_frequency, period = 2 * std::numbers::pi / frequency;
+  const auto higher = [](double s) { return Theory{.amplitude = 0.02 + 0.002 * s}; };
+  const auto slower = [&](double s) {
+    return Theory{.angular_frequency = frequency / (1 + 0.01 * s)};
+  };
+  const auto check = [](const OfAnAnswer& row, double reach) {
+    const GateOutcome outcome = row.judged();
+    const double found = outcome.judgement->contributions.input.known();
+    EXPECT_GE(found, 0.97 * reach - 1e-4) << row_name(outcome.row) << " " << row.height;
+    // The series move by more than a distance need do.
+    const double most = outcome.row.metric == Metric::normalised_rms ? 1 : 1.1 * reach + 0.01;
+    EXPECT_LE(found, most) << row_name(outcome.row) << " " << row.height;
+  };
+  for (const double height : {0.5, 2.0})
+    for (const auto& [metric, mode] : {std::pair{Metric::amplitude_error, "forced"},
+                                       {Metric::rms_error, "whole"},
+                                       {Metric::normalised_rms, "whole"}}) {
+      const OfAnAnswer by_amplitude(metric, mode, height, 15, Input::amplitude, 0.002);
+      check(by_amplitude, by_amplitude.reach(higher));
+      if (metric == Metric::amplitude_error) continue;  // no fit tells it at another period
+      const OfAnAnswer by_period(metric, mode, height, 15, Input::period, 0.01 * period);
+      check(by_period, by_period.reach(slower));
+    }
+}
+
+// The band of a record that is half as high as theory says: theory is outside whatever the input
+// is.
+TEST(RowUncertainty, OfAnInputIsTheTimeThatTheCandidateLeavesTheBandFor) {
+  OfARecord row(Metric::outside_band, "whole", "1", 0.3, 0.001);
+  const TimeSeries wave = scaled(elevation_of({}), 0.5);
+  const double around = 0.05 * 0.5 * *std::max_element(wave.value.begin(), wave.value.end());
+  RunResult& record = row.runs.results["record"] = result_of("record", wave);
+  auto& declared = std::get<RecordRun>(row.definition.runs.at(1).solver);
+  declared.has_band = true;
+  for (const auto& [suffix, by] : {std::pair{lower_edge, -around}, {upper_edge, around}}) {
+    record.series.push_back(wave);
+    record.series.back().name += suffix;
+    for (double& value : record.series.back().value) value += by;
+  }
+  row.runs.results["particles"] = result_of("particles", wave);
+  row.definition.inputs = {{Input::amplitude, 0.002, "a ruler"}};
+  const TimeSeries inside = cut_to_window(wave, {1, 20});
+  double outside = 0;  // where a tenth of the wave exceeds the band
+  for (const double value : inside.value)
+    outside += std::abs(0.1 * value) > around ? 1.0 / static_cast<double>(inside.value.size()) : 0;
+  ASSERT_GT(outside, 0.2);
+  EXPECT_NEAR(row.contributions().input.known(), outside, 0.02) << row.judged().message;
+}
+
+// At both bounds the liquid moves as at the value itself, or as high as there.
+TEST(RowUncertainty, OfAnInputSeesWhatTurnsBetweenItsBounds) {
+  for (const double turns : {360.0, 4680.0}) {
+    OfARecord row(Metric::phase_lag, "forced", "deg", 5, 0);
+    row.definition.start = Start::tank;
+    std::get<LinearRun>(row.definition.runs.at(0).solver).modes = 10;
+    row.definition.inputs = {{Input::start_phase, turns, "nobody"}};
+    EXPECT_GT(row.contributions().input.known(), 140) << turns;
+  }
+  OfARecord row(Metric::amplitude_error, "forced", "1", 0.05, 0);
+  std::get<LinearRun>(row.definition.runs.at(0).solver).modes = 10;
+  row.definition.gauges.at(0).x = 0.5 * row.definition.tank.length;
+  row.definition.inputs = {{Input::sensor_position, 0.49 * row.definition.tank.length, "nobody"}};
+  EXPECT_GT(row.contributions().input.known(), 0.5) << row.judged().message;
+}
+
+// A free wave and its own record: the largest distance of its prediction from it, on 2001 places of
+// the interval.
+struct FreeWave : OfARecord {
+  static constexpr double place = 0.47;
+  FreeWave(int mode, Input input, double half_width)
+      : OfARecord(Metric::normalised_rms, "whole", "1", 0.05, 0) {
+    definition.motion = {};
+    definition.gauges.at(0).x = place;
+    definition.initial_wave = InitialWaveDefinition{mode, 1e-4};
+    definition.inputs = {{input, half_width, "nobody"}};
+    definition.refinements.clear();
+    for (const char* name : {"theory", "record", "particles"})
+      runs.results[name] = execute(definition, definition.runs.at(0), {}, [](double, double) {});
+  }
+};
+
+template <class Change>
+double largest_of(double half_width, const Change& change) {
+  double largest = 0;
+  for (int i = -1000; i <= 1000; ++i)
+    largest = std::max(largest, std::abs(change(i * half_width / 1000)));
+  return largest;
+}
+
+TEST(RowUncertainty, OfAPlaceIsTheLargestOfAllPlacesOrUnknown) {
+  for (const int mode : {1, 5, 26, 34})
+    for (const double share : {0.01, 0.2, 0.45, 0.55, 5.0}) {
+      const double k = mode * std::numbers::pi, half_width = share * 2 / mode, x = FreeWave::place;
+      if (half_width >= x) continue;
+      const FreeWave row(mode, Input::sensor_position, half_width);
+      if (share > 0.5) {
+        EXPECT_FALSE(row.contributions().input.half_width) << mode << " " << share;
+        EXPECT_EQ(row.judged().verdict, Verdict::inconclusive) << mode << " " << share;
+        continue;
+      }
+      const double largest = largest_of(
+          half_width, [=](double s) { return std::cos(k * (x + s)) / std::cos(k * x) - 1; });
+      EXPECT_NEAR(row.contributions().input.known() / largest, 1, 0.05) << mode << " " << share;
+    }
+}
+
+TEST(RowUncertainty, OfGravityIsTheLargestOfItsIntervalOrUnknown) {
+  const double kh = std::numbers::pi * surge_case().liquid.fill_depth;
+  const auto distance = [&](double change) {
+    double squares = 0, own = 0;
+    for (double t = 1; t < 20; t += 0.02) {
+      const auto wave = [&](double g) {
+        return std::cos(std::sqrt(g * std::numbers::pi * std::tanh(kh)) * t);
+      };
+      squares += std::pow(wave(9.81 + change) - wave(9.81), 2);
+      own += std::pow(wave(9.81), 2);
+    }
+    return std::sqrt(squares / own);
+  };
+  for (const double half_width : {0.01, 0.1, 0.3})
+    EXPECT_NEAR(FreeWave(1, Input::gravity, half_width).contributions().input.known() /
+                    largest_of(half_width, distance),
+                1, 0.05)
+        << half_width;
+  EXPECT_FALSE(FreeWave(1, Input::gravity, 9.0).contributions().input.half_width);
+}
+
+}  // namespace
+}  // namespace slosh::row_inputs_test
