@@ -38,11 +38,11 @@ struct GateEntry {
 struct GateDocument {
   std::string title, verdict;
   std::vector<GateEntry> entries;
-  std::string basis = {};                          // what the rows are based on; may be empty
-  std::map<std::string, std::string> doubts = {};  // by group: which of its runs are not sound
-  int exit_status = 0;                             // that of the process
+  std::string basis = {};  // what the rows are based on; may be empty
+  int exit_status = 0;     // that of the process
   // Whether inconclusive rows leave the exit status at 0: JUnit then calls them skipped.
   bool inconclusive_passes = false;
+  std::map<std::string, std::string> doubts = {};  // by group: which of its runs are not sound
 };
 
 // Returns the entries sorted by severity: solver failed, violated, not compared, inconclusive or

@@ -8,78 +8,64 @@
 #include <functional>
 #include <vector>
 
-#include "verification/gate/gate.hpp"
-
 namespace slosh {
 namespace {
 
+// Of a weakly compressible liquid the density differs by the square of the Mach number, here 4 %
+// (Monaghan 1994, J. Comput. Phys. 110:399), and by 1 % under the weight of a column at c0 = 10 V.
+// A liquid that keeps its volume keeps its kernel sum, and under gas it parts where its pressure
+// falls below the gas's. OpenFOAM's limited flux is explicit.
 struct SoundnessLimit {
-  const char *series, *name;
+  const char *recorded, *name;
   double limit;
-  bool is_share;  // shown in percent
 };
 constexpr SoundnessLimit soundness_limits[] = {
-    {"mach_number", "Mach number", 0.2, false},
-    {"density_error", "density error", 0.05, true},
-    {"packing_drift", "packing drift", 0.01, true},
-    {"tension_share", "share of particles under tension", 0.5, true}};
-constexpr SoundnessLimit courant_limit{"max_courant_number", "largest Courant number", 1, false};
-constexpr double exempt_share = 0.05;  // of the samples
+    {"mach_number", "Mach number but for 5 % of the time", 0.2},
+    {"density_error", "density error but for 5 % of the time", 0.05},
+    {"packing_drift", "packing drift but for 5 % of the time", 0.01},
+    {"tension_share", "share of particles under tension but for 5 % of the time", 0.5},
+    {"max_courant_number", "largest Courant number", 1}};
+constexpr double exempt_share = 0.05;  // of the samples: drops and impacts are short
 
 // The magnitude that the series exceeds for that share of its samples; NaN where one is NaN.
 double usual_largest(const TimeSeries& series) {
   std::vector<double> magnitudes;
   for (const double value : series.value) magnitudes.push_back(std::abs(value));
-  if (std::any_of(magnitudes.begin(), magnitudes.end(), [](double one) { return std::isnan(one); }))
-    return not_a_number;
   const auto exempt =
-      static_cast<std::size_t>(exempt_share * static_cast<double>(magnitudes.size()));
-  std::nth_element(magnitudes.begin(), magnitudes.begin() + exempt, magnitudes.end(),
-                   std::greater{});
-  return magnitudes.at(exempt);
+      static_cast<std::ptrdiff_t>(exempt_share * static_cast<double>(magnitudes.size()));
+  const bool has_nan = std::ranges::any_of(magnitudes, [](double one) { return std::isnan(one); });
+  if (!has_nan) std::ranges::nth_element(magnitudes, magnitudes.begin() + exempt, std::greater{});
+  return has_nan ? not_a_number : magnitudes[static_cast<std::size_t>(exempt)];
 }
 
-std::vector<std::string> doubts_of(const CaseDefinition& definition, const RunResult& result) {
+std::string doubts_of(const CaseDefinition& definition, const RunResult& result) {
   std::vector<std::string> doubts;
-  const auto judge = [&](const SoundnessLimit& of, double value) {
-    if (value <= of.limit) return;
-    const auto shown = [&](double one) {
-      return of.is_share ? in_unit(one, "1") : fmt::format("{:.2g}", one);
-    };
-    doubts.push_back(fmt::format("its {} is {}, limit {}", of.name, shown(value), shown(of.limit)));
-  };
-  for (const SoundnessLimit& one : soundness_limits)
+  for (const auto& [recorded, name, limit] : soundness_limits) {
+    double value = 0;
     for (const TimeSeries& series : result.series)
-      if (series.name == one.series && !series.value.empty() &&
-          (definition.gravity > 0 || series.name != "tension_share"))
-        judge(one, usual_largest(series));
-  if (const auto found = result.diagnostics.find(courant_limit.series);
-      found != result.diagnostics.end())
-    judge(courant_limit, found->second);
-  return doubts;
+      if (series.name == recorded && !series.value.empty()) value = usual_largest(series);
+    if (const auto fact = result.diagnostics.find(recorded); fact != result.diagnostics.end())
+      value = fact->second;
+    const bool has_scale = definition.gravity > 0 || recorded != std::string("tension_share");
+    if (!(value <= limit) && has_scale)
+      doubts.push_back(fmt::format("its {} is {:.2g}, limit {:.2g}", name, value, limit));
+  }
+  return fmt::format("{}", fmt::join(doubts, ", "));
 }
 
 }  // namespace
 
 std::string soundness_doubt(const CaseDefinition& definition, const CaseRuns& runs,
                             const std::set<std::string>& named) {
-  std::string text;
-  std::vector<std::string> others;
   for (const RunDefinition& run : definition.runs) {
     const auto result = runs.results.find(run.name);
     if (!named.contains(run.ensemble.empty() ? run.name : run.ensemble) ||
         result == runs.results.end())
       continue;
-    const std::vector<std::string> doubts = doubts_of(definition, result->second);
-    if (doubts.empty()) continue;
-    if (text.empty())
-      text = fmt::format("{} is not sound: {}", run.name, fmt::join(doubts, ", "));
-    else
-      others.push_back(run.name);
+    if (const std::string doubts = doubts_of(definition, result->second); !doubts.empty())
+      return fmt::format("{} is not sound: {}", run.name, doubts);
   }
-  if (others.empty()) return text;
-  return fmt::format("{}; nor {} {}", text, others.size() == 1 ? "is" : "are",
-                     fmt::join(others, ", "));
+  return "";
 }
 
 std::string doubtful_runs(const CaseDefinition& definition, const CaseRuns& runs) {

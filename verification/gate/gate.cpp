@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "verification/case/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/gate/measured_value.hpp"
-#include "verification/gate/own_series.hpp"
 #include "verification/series/interval_text.hpp"
 
 namespace slosh {
@@ -232,6 +232,43 @@ std::optional<std::pair<Verdict, std::string>> obstacle_to(
       if (runs.at(run).state == one.state)
         return obstacle_of(fmt::format("the {} {}", role, run), runs.at(run));
   return std::nullopt;
+}
+
+// When the largest magnitude occurs and over which time it is sought, of an ensemble that of its
+// highest member, and a larger one at another time.
+std::string place_text(const GateRow& row, const GateEvidence& evidence) {
+  Peak peak{-1, not_a_number}, other{-1, not_a_number};
+  TimeSeries series, whole;
+  for (const std::string& run : ensemble_of(row.candidate, evidence).members) {
+    TimeSeries one = evidence.series(run, row.quantity);
+    if (!(largest_of(one).magnitude > peak.magnitude)) continue;
+    peak = largest_of(one);
+    series = std::move(one);
+    if (evidence.history) whole = evidence.history(run, row.quantity);
+  }
+  if (series.time.empty()) return "";  // NaN
+  const double begin = series.time.front(), end = series.time.back();
+  for (std::size_t i = 0; i < whole.time.size(); ++i)
+    if (whole.time[i] >= begin && whole.time[i] <= end) whole.value[i] = 0;
+  if (!whole.time.empty()) other = largest_of(whole);
+  const std::string text =
+      fmt::format("; at {:.4g} s of {:.4g} to {:.4g} s", peak.time, begin, end);
+  if (!(other.magnitude > peak.magnitude)) return text;
+  return text + fmt::format("; LARGER outside of that time: {} at {:.4g} s",
+                            in_unit(other.magnitude, row.unit), other.time);
+}
+
+// What a row on a peak of the candidate says beside its value.
+std::string peak_text(const GateRow& row, const GateEvidence& evidence) {
+  const bool is_largest = row.metric == Metric::largest_magnitude;
+  const bool is_peak = row.metric == Metric::impact_peak_error ||
+                       row.metric == Metric::impulse_error ||
+                       (is_largest && find_quantity(row.quantity));
+  const EnsembleOfRun runs = ensemble_of(row.candidate, evidence);
+  return (is_largest ? place_text(row, evidence) : "") +
+         (is_peak && !runs.exact && runs.members.size() == 1
+              ? "; single run: `repeats` of " + row.candidate + " tell how its peaks scatter"
+              : "");
 }
 
 // What the samples and the runs leave open.

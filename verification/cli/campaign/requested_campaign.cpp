@@ -36,19 +36,21 @@ void miss_records(CaseAssessment& assessment) {
 
 namespace fs = std::filesystem;
 
-void require_window(const CaseDefinition& definition) try {
-  require_resolved({definition.window_begin, definition.window_end}, fitted_modes(definition));
-} catch (const ComparisonError& error) {
-  throw CaseFileError(fmt::format("{}: comparison: {}", definition.file.string(), error.what()));
-}
-
-void require_part(const GateRow& row, const CaseDefinition& definition) try {
-  const bool has_tones = is_of_a_pair(metric_entry(row.metric)) && has_modes(row.quantity);
-  if (row.part && (has_tones || row.metric == Metric::frequency))
-    require_resolved({row.part->first, row.part->second}, fitted_modes(definition));
-} catch (const ComparisonError& error) {
-  throw CaseFileError(fmt::format("{}:{}: part_begin_s, part_end_s: {}", row.where.file,
-                                  row.where.line, error.what()));
+// The window, and the rows' own parts of the run, are long enough for the modes.
+void require_windows(const CaseDefinition& definition) {
+  const auto require = [&](TimeWindow window, const std::string& where) {
+    try {
+      require_resolved(window, fitted_modes(definition));
+    } catch (const ComparisonError& error) {
+      throw CaseFileError(where + error.what());
+    }
+  };
+  require({definition.window_begin, definition.window_end},
+          definition.file.string() + ": comparison: ");
+  for (const GateRow& row : definition.gate)
+    if (row.part && row.metric != Metric::largest_magnitude && has_modes(row.quantity))
+      require({row.part->first, row.part->second},
+              fmt::format("{}:{}: part_begin_s: ", row.where.file, row.where.line));
 }
 
 void require_timed_runs(const CampaignDefinition& campaign,
@@ -152,9 +154,7 @@ std::string form_of(const CampaignOptions& options) {
 void require_runnable(const std::vector<CaseDefinition>& cases) {
   Complaints complaints;
   for (const CaseDefinition& definition : cases) {
-    complaints.allow([&] { require_window(definition); });
-    for (const GateRow& row : definition.gate)
-      complaints.allow([&] { require_part(row, definition); });
+    complaints.allow([&] { require_windows(definition); });
     for (const RunDefinition& run : definition.runs)
       complaints.allow([&] { require_runnable(definition, run); });
   }
