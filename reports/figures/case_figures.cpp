@@ -36,7 +36,7 @@ std::vector<reports::Figure> appendix_figures(const CaseAssessment& assessment) 
 
 std::vector<reports::Figure> case_histories(const CaseDefinition& definition, CaseRuns runs) {
   mark_out_of_range(definition, runs);
-  add_filtered_pressures(definition, runs);
+  complete_results(definition, runs);
   const CaseAssessment assessment{definition, std::move(runs), {}, {}, {}};
   std::vector<reports::Figure> figures;
   for (auto make : {main_history, other_histories})

@@ -160,7 +160,7 @@ Figure budget(const CaseAssessment& assessment, const std::string& run) {
 // where no row limits it.
 double tolerated_residual(const CaseAssessment& assessment, const Comparison& comparison) {
   for (const GateRow& row : assessment.definition.gate)
-    if (row.metric == Metric::normalised_rms && row.limit &&
+    if (row.metric == Metric::normalised_rms && row.limit && !row.part &&
         row.candidate == comparison.candidate && row.reference == comparison.reference &&
         row.quantity == comparison.quantity)
       return *row.limit * rms(comparison.residual.value) / comparison.normalised_rms.value;

@@ -121,6 +121,8 @@ std::vector<const GateEntry*> worst_first(const GateDocument& document) {
 std::string gate_markdown(const GateDocument& document) {
   std::string text =
       fmt::format("## {}\n\n{}\n", markdown_text(document.title), markdown_text(document.verdict));
+  for (const auto& [group, doubt] : document.doubts)
+    text += fmt::format("\n{}\n", markdown_text(doubt));
   if (!document.basis.empty()) text += fmt::format("\n{}\n", markdown_text(document.basis));
   std::string lines;
   std::size_t passed = 0, skipped = 0;
@@ -169,6 +171,11 @@ std::string junit_xml(const GateDocument& document) {
     Xml suite;
     Counts counts;
     suite.put("<xmlattr>.name", legible(group));
+    if (const auto doubt = document.doubts.find(group); doubt != document.doubts.end()) {
+      Xml properties;
+      add_property(properties, "doubtful", doubt->second);
+      suite.add_child("properties", properties);
+    }
     for (const GateEntry& entry : document.entries) {
       if (entry.group != group) continue;
       const std::string element = element_of(entry, document);

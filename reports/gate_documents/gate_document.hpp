@@ -2,6 +2,7 @@
 // for a pull request.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +42,7 @@ struct GateDocument {
   int exit_status = 0;     // that of the process
   // Whether inconclusive rows leave the exit status at 0: JUnit then calls them skipped.
   bool inconclusive_passes = false;
+  std::map<std::string, std::string> doubts = {};  // by group: which of its runs are not sound
 };
 
 // Returns the entries sorted by severity: solver failed, violated, not compared, inconclusive or
@@ -48,8 +50,9 @@ struct GateDocument {
 std::vector<const GateEntry*> worst_first(const GateDocument& document);
 
 // Returns JUnit XML: testsuites / testsuite (a group) / testcase, with value, uncertainty and
-// tolerance as properties. Violated, inconclusive and lost rows are failures; rows that were not
-// compared or whose solver failed are errors. It ends as gate_markdown() does.
+// tolerance as properties, and a group's doubts as a property of its suite. Violated, inconclusive
+// and lost rows are failures; rows that were not compared or whose solver failed are errors. It
+// ends as gate_markdown() does.
 std::string junit_xml(const GateDocument& document);
 
 // Returns a table, worst first, of all rows except those that pass unchanged and those that are

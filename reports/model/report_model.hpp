@@ -163,6 +163,7 @@ struct Page {
   // A small figure that stands beside the page's entry on the first page, and a remark below it.
   std::optional<Figure> glance = {};
   std::string remark = {};
+  std::vector<std::string> doubts = {};  // below the verdict: sentences
 };
 
 // What decides the outcome: "Decided by" ROW ": 7.2 ± 0.3 %, at most 5 %." The text of the row's
@@ -178,6 +179,7 @@ struct Report {
   std::string verdict;  // one sentence, at the top of the report
   Outcome outcome = Outcome::fail;
   Decision decision = {};
+  std::vector<std::string> doubts = {};  // below the verdict: sentences
   std::string coverage = {};  // of the checks: what they check and would detect; empty for none
   std::string subtitle;       // date, version, machine
   std::vector<Section> sections;

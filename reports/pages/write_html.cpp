@@ -146,6 +146,10 @@ mustache::data page_data(const Report& report, const Page& page, const PageLinks
   data.set("title", page.title);
   if (page.id.empty() && !report.coverage.empty()) data.set("coverage", html_text(report.coverage));
   if (!page.verdict.empty()) data.set("outcome", banner_data(report, page, links));
+  mustache::data doubts(mustache::data::type::list);
+  for (const std::string& one : page.id.empty() ? report.doubts : page.doubts)
+    doubts << mustache::data{"doubt", html_text(one)};
+  data.set("doubts", doubts);
   data.set("sections", sections_of(report, page.id, written));
   if (!page.id.empty()) data.set("appendices", list_of(continuing(report, page.id)));
   return data;

@@ -21,6 +21,7 @@
 #include "verification/assessment/predictions.hpp"
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/case/case_definition.hpp"
+#include "verification/evidence/soundness.hpp"
 #include "verification/papers/paper_sections.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
@@ -114,6 +115,8 @@ reports::Page page_of(const CaseAssessment& assessment, const CaseCoverage& cove
   reports::Page page{page_of_case(assessment.definition.name), assessment.definition.title, "", {}};
   page.glance = glance_figure(assessment, worst_candidate(assessment));
   page.remark = missed_text(coverage);
+  if (std::string doubt = doubtful_runs(assessment.definition, assessment.runs); !doubt.empty())
+    page.doubts.push_back(std::move(doubt));
   const std::vector<CaseAssessment> alone{assessment};
   const Standing standing = standing_of(alone);
   const bool judged =
@@ -242,6 +245,7 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (!has_selected_runs(cases[i])) continue;
     report.pages.push_back(page_of(cases[i], ready[i].coverage));
+    std::ranges::copy(report.pages.back().doubts, std::back_inserter(report.doubts));
     report.pages.push_back(appendix_page(cases[i].definition));
     std::ranges::move(ready[i].sections, std::back_inserter(report.sections));
     covered.push_back(std::move(ready[i].coverage));

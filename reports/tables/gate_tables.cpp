@@ -134,7 +134,6 @@ Table gate_table(const CaseAssessment& assessment) {
 
 std::optional<Table> ensemble_table(const CaseAssessment& assessment) {
   CaseEvidence known(assessment.definition, assessment.runs, &assessment.fitted);
-  const GateEvidence evidence = known.gate_evidence();
   Table table{
       case_id(assessment.definition.name) + "-ensembles",
       "Ensembles",
@@ -146,9 +145,11 @@ std::optional<Table> ensemble_table(const CaseAssessment& assessment) {
       {"row", "candidates x references", "mean", "sd of candidates", "sd of references", "range",
        "verdict"},
       {}};
-  for (const GateOutcome& outcome : assessment.gate)
+  for (const GateOutcome& outcome : assessment.gate) {
+    const GateEvidence evidence = known.over_time_of(outcome.row).gate_evidence();
     if (is_judged(outcome.verdict) && is_of_ensembles(outcome.row, evidence))
       table.rows.push_back(line_of(outcome, measured_pairs(outcome.row, evidence)));
+  }
   if (table.rows.empty()) return std::nullopt;
   return table;
 }
@@ -217,13 +218,14 @@ std::optional<Table> refinement_table(const CaseAssessment& assessment) {
       "three times the difference.",
       {"path", "row", "runs", "values", "behaviour", "order", "extrapolated", "uncertainty"},
       {}};
-  CaseEvidence evidence(assessment.definition, assessment.runs, &assessment.fitted);
-  const GateEvidence gate = evidence.gate_evidence();
-  const MeasureRow measure = [&](const GateRow& row) { return measured(row, gate); };
+  CaseEvidence known(assessment.definition, assessment.runs, &assessment.fitted);
   for (const GateOutcome& outcome : assessment.gate) {
     if (!std::isfinite(outcome.value.value) || is_cost(outcome.row.metric) ||
         is_p_value(outcome.row.metric))
       continue;  // the cost rests on all runs of a path together, a p-value has no discretisation
+    CaseEvidence& evidence = known.over_time_of(outcome.row);
+    const GateEvidence gate = evidence.gate_evidence();
+    const MeasureRow measure = [&](const GateRow& row) { return measured(row, gate); };
     for (const Role role : {Role::candidate, Role::reference})
       add_paths(refined_metrics(assessment.definition, assessment.runs, outcome.row, role,
                                 {measure, evidence.measure_with_series()})

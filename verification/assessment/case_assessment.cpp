@@ -176,7 +176,7 @@ CaseAssessment assess(CaseDefinition definition, CaseRuns runs) {
   mark_out_of_range(definition, runs);
   mark_other_costs(definition, runs);
   predict_input_bounds(definition, runs);
-  std::vector<std::string> not_filtered = add_filtered_pressures(definition, runs);
+  std::vector<std::string> not_filtered = complete_results(definition, runs);
   collect_input_bounds(definition, runs);
   CaseAssessment assessment{definition, std::move(runs), {}, std::move(not_filtered), {}};
   CaseEvidence evidence(assessment.definition, assessment.runs);

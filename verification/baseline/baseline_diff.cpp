@@ -15,6 +15,7 @@
 
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/changed_input.hpp"
+#include "verification/case/judged_time.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/input/toml_reader.hpp"
@@ -186,8 +187,7 @@ std::string names_of(const CaseDefinition& definition, const std::set<std::strin
 
 RowTerms terms_of(const CaseDefinition& definition, const GateOutcome& outcome) {
   const GateRow& row = outcome.row;
-  const auto [begin, end] =
-      row.part.value_or(std::pair(definition.window_begin, definition.window_end));
+  const auto [begin, end] = judged_time(row, definition);
   std::string inputs;
   for (const InputUncertainty& one : definition.inputs)
     inputs += fmt::format("{}{} +- {:.6g} {}{}", inputs.empty() ? "" : ", ", input_name(one.input),

@@ -415,8 +415,7 @@ struct GateRow {
   SourceLocation where;
   std::optional<double> error = {};  // normalised rms, for cost_to_reach only
   RowKind kind = RowKind::validation;
-  // The part of the comparison's window [s] over which a metric of a band is taken; by default all
-  // of it.
+  // The part of the run [s] over which the row is judged; without it judged_time() says which.
   std::optional<std::pair<double, double>> part = {};
 };
 

@@ -15,6 +15,7 @@ constexpr const char* of_any_size =
     "no elevation exceeds the tank's size, and no pressure the water hammer of a fall through it";
 constexpr RequiredBound any_bound{BoundForm::any, ""},
     limit_alone{BoundForm::limit, "cheaper is better"},
+    frequency_range{BoundForm::range, "a frequency may be too low and too high"},
     p_value_range{BoundForm::range, "a p-value must be large enough, and at most 1"};
 constexpr const char* between_0_and_1 = "every p-value lies between 0 and 1";
 
@@ -62,6 +63,8 @@ constexpr std::array<MetricEntry, metric_count> metric_rows() {
         below(1, unit, "a series of nothing but white noise has 1", 1)},
        {Metric::initial_value, "initial_value", "", "value at the start", own_series, Fit::none,
         nothing, nowhere, any_bound, below(1, tank, of_any_size)},
+       {Metric::frequency, "frequency", "Hz", "frequency", own_mode, Fit::of_candidate, nothing,
+        nowhere, frequency_range, below(100, unit, "no wave of a tank is as fast")},
        {Metric::plateau_error, "plateau_error", "1", "error of the mean over the plateau", plateau,
         Fit::none, nothing, nowhere, any_bound,
         below(1, unit, "a candidate without a plateau has -1", -1)},
@@ -143,6 +146,7 @@ bool is_of_a_pair(const MetricEntry& metric) {
     case MeasuredOn::band:
       return true;
     case MeasuredOn::own_series:
+    case MeasuredOn::own_mode:
     case MeasuredOn::impact:
     case MeasuredOn::repeated_impact:
     case MeasuredOn::plateau:
@@ -154,7 +158,8 @@ bool is_of_a_pair(const MetricEntry& metric) {
 }
 
 bool is_of_candidate_alone(Metric metric) {
-  return metric_entry(metric).measured_on == MeasuredOn::own_series;
+  const MeasuredOn measured_on = metric_entry(metric).measured_on;
+  return measured_on == MeasuredOn::own_series || measured_on == MeasuredOn::own_mode;
 }
 
 bool is_of_impacts(Metric metric) {
@@ -185,6 +190,7 @@ std::vector<std::string> measured_modes(const MetricEntry& metric,
     case MeasuredOn::any_mode:
       return fitted;
     case MeasuredOn::natural_mode:
+    case MeasuredOn::own_mode:
       std::copy_if(fitted.begin(), fitted.end(), std::back_inserter(natural),
                    [](const std::string& mode) { return mode.starts_with("natural_"); });
       return natural;
@@ -213,6 +219,7 @@ std::optional<std::string> default_mode(const MetricEntry& metric) {
     case MeasuredOn::any_mode:
       return "forced";
     case MeasuredOn::natural_mode:
+    case MeasuredOn::own_mode:
     case MeasuredOn::impact:
     case MeasuredOn::repeated_impact:
       return std::nullopt;

@@ -36,6 +36,7 @@ enum class Metric {
   mean_offset,
   noise_share,    // of the candidate alone
   initial_value,  // of the candidate alone
+  frequency,      // of a fitted mode of the candidate alone
   // Of the candidate's impacts against the published ones (impact_metrics.hpp).
   plateau_error,      // the mean over the published plateau's time
   impact_arrival,     // the time at which the pressure comes to a share of the peak and holds it
@@ -67,7 +68,8 @@ enum class MeasuredOn {
   oscillation,  // the whole window of a quantity with modes: the metric counts periods or peaks
   front,        // the whole window of a quantity without modes, which has one lag; an oscillating
                 // quantity has one lag per mode
-  own_series,   // the candidate alone
+  own_series,   // the candidate alone, over the whole run
+  own_mode,     // a natural mode of the candidate alone
   impact,
   repeated_impact,  // over an ensemble, against the experiment's repeats
   plateau,

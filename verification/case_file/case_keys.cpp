@@ -248,12 +248,12 @@ const std::vector<KeyTable>& case_key_tables() {
             "intervals."},
            {"error", number().above(0).below(1), with("metric", "cost_to_reach", " alone"),
             "The normalised rms error whose cost is bounded."},
-           {"part_begin_s", number("s, within the comparison's window"),
-            where("with part_end_s, of outside_band alone"),
-            "The part of the comparison's window over which the metric is taken. Default: all of "
-            "it."},
-           {"part_end_s", number("s, within the comparison's window").above(Bound("part_begin_s")),
-            beside("part_begin_s")},
+           {"part_begin_s", number("s").at_least(0), no,
+            "The begin of the part of the run over which the row is judged. Default with "
+            "part_end_s: 0. With neither: the comparison's window, of a series of the candidate "
+            "alone the whole run."},
+           {"part_end_s", number("s").above(Bound("part_begin_s")).at_most(case_duration), no,
+            "The end of that part. Default with part_begin_s: duration_s."},
            {"kind", one_of({"validation", "regression"}), no,
             "Where the limit comes from: theory, experiment, requirement; or earlier measurements. "
             "Default: validation."},

@@ -160,27 +160,22 @@ void read_error(const TomlTable& row, const MetricEntry& metric, GateRow& gate_r
                                     [](double value) { return value > 0 && value < 1; }});
 }
 
-// The part of the window over which a metric of a band is taken.
+// The part of the run over which the row is judged.
 void read_part(const TomlTable& row, const MetricEntry& metric, const CaseDefinition& definition,
                GateRow& gate_row) {
-  const bool given = row.has("part_begin_s") || row.has("part_end_s");
-  if (!given) return;
-  if (!is_of_band(metric.metric))
-    row.refuse(row.has("part_begin_s") ? "part_begin_s" : "part_end_s",
-               "no such key: only a metric of a band is taken over a part of the window");
-  const double begin = definition.window_begin, end = definition.window_end;
-  const double from = row.get(
-      "part_begin_s",
-      Rule<double>{fmt::format("a number from {:.6g} to below {:.6g}, in s: within the window of "
-                               "[comparison]",
-                               begin, end),
-                   [=](double time) { return time >= begin && time < end; }});
-  const double to = row.get(
-      "part_end_s",
-      Rule<double>{fmt::format("a number above part_begin_s ({:.6g}) and <= {:.6g}, in s: within "
-                               "the window of [comparison]",
-                               from, end),
-                   [=](double time) { return time > from && time <= end; }});
+  const char *begin = "part_begin_s", *end = "part_end_s";
+  if (!row.has(begin) && !row.has(end)) return;
+  if (metric.metric == Metric::initial_value || is_of_impacts(metric.metric) ||
+      is_of_fields(metric.metric) || is_cost(metric.metric))
+    row.refuse(row.has(begin) ? begin : end,
+               fmt::format("no such key: {} is measured at its own times", metric.name));
+  double from = 0, to = definition.duration;
+  if (row.has(begin))
+    from = row.get(begin, Rule<double>{fmt::format("a number >= 0 and below {:g}, in s", to),
+                                       [=](double time) { return time >= 0 && time < to; }});
+  if (row.has(end))
+    to = row.get(end, Rule<double>{fmt::format("a number above {:g} and <= {:g}, in s", from, to),
+                                   [=](double time) { return time > from && time <= to; }});
   gate_row.part = {from, to};
 }
 
@@ -390,7 +385,7 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
   gate_row.candidate = row.choice("candidate", "a run", candidates(definition));
   const MetricEntry& metric = read_metric(row);
   gate_row.metric = metric.metric;
-  if (metric.measured_on == MeasuredOn::own_series) {
+  if (is_of_candidate_alone(metric.metric)) {
     read_own_series(row, metric, definition, gate_row);
   } else if (is_of_impacts(metric.metric)) {
     read_impact_series(row, metric, definition, gate_row);

@@ -31,7 +31,9 @@ std::string measured_on(const MetricEntry& metric) {
     case MeasuredOn::front:
       return "the whole window of a quantity without modes";
     case MeasuredOn::own_series:
-      return "the candidate alone";
+      return "the candidate alone, over the whole run";
+    case MeasuredOn::own_mode:
+      return "a natural mode of the candidate alone";
     case MeasuredOn::impact:
       return "a published impact";
     case MeasuredOn::repeated_impact:
@@ -39,7 +41,7 @@ std::string measured_on(const MetricEntry& metric) {
     case MeasuredOn::plateau:
       return "the published plateau";
     case MeasuredOn::band:
-      return "the window, or a part of it, of a record with a band";
+      return "the window of a record with a band";
     case MeasuredOn::field:
       return "the fields at the snapshot times";
     case MeasuredOn::cost:

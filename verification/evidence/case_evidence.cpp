@@ -7,12 +7,14 @@
 #include <cstring>
 
 #include "verification/case/ensemble.hpp"
+#include "verification/case/judged_time.hpp"
 #include "verification/case/metric_table.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/evidence/row_uncertainty.hpp"
 #include "verification/evidence/run_cost.hpp"
+#include "verification/evidence/soundness.hpp"
 #include "verification/gate/distributions/holm_correction.hpp"
 #include "verification/gate/distributions/repeated_impacts.hpp"
 #include "verification/gate/field_metrics.hpp"
@@ -108,6 +110,16 @@ CaseEvidence::CaseEvidence(const CaseDefinition& definition, const CaseRuns& run
       known_(known),
       needed_(std::move(needed)),
       modes_(fitted_modes(definition)) {}
+
+CaseEvidence& CaseEvidence::over_time_of(const GateRow& row) {
+  const std::pair<double, double> time = judged_time(row, definition_);
+  if (time == std::pair(definition_.window_begin, definition_.window_end)) return *this;
+  std::shared_ptr<CaseEvidence>& here = other_times_[time];
+  if (!here)
+    here = std::make_shared<CaseEvidence>(
+        other_definitions_.emplace_back(judged_over(row, definition_)), runs_, nullptr, needed_);
+  return *here;
+}
 
 const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std::string& run,
                                              const std::string& quantity, const Moved& moved,
@@ -253,6 +265,22 @@ Estimate CaseEvidence::corrected_p_value(const std::vector<std::string>& members
   return holm_corrected(family, 0);
 }
 
+// A run that is not sound keeps the row from passing. What it does later is no doubt of its start.
+RowDoubts CaseEvidence::doubts_of_runs(const GateRow& row) const {
+  RowDoubts doubts;
+  for (const std::string& named : {row.candidate, row.reference, row.improves_on.value_or("")}) {
+    if (named.empty()) continue;
+    if (const std::string one = script_doubt(run_named(definition_, named), definition_);
+        !one.empty())
+      doubts.text += "; doubtful: " + one;
+    if (row.metric == Metric::initial_value) continue;
+    const std::string one = soundness_doubt(definition_, runs_, {named});
+    if (!one.empty()) doubts = {doubts.text + "; doubtful: " + one, true};
+  }
+  if (is_cost(row.metric)) doubts.text += left_out_as_compiling(definition_, runs_, row);
+  return doubts;
+}
+
 GateEvidence CaseEvidence::gate_evidence() {
   const FindComparison find = [this](const std::string& candidate, const std::string& reference,
                                      const std::string& quantity) -> const Comparison& {
@@ -312,15 +340,7 @@ GateEvidence CaseEvidence::gate_evidence() {
   const FindUncertainty uncertainty = [this, measures](const GateRow& row) {
     return row_uncertainty(definition_, runs_, row, measures);
   };
-  const FindKept kept = [this](const GateRow& row) {
-    std::string text;
-    for (const std::string& run : {row.candidate, row.reference, row.improves_on.value_or("")})
-      if (const std::string doubt =
-              run.empty() ? "" : script_doubt(run_named(definition_, run), definition_);
-          !doubt.empty())
-        text += "; doubtful: " + doubt;
-    return is_cost(row.metric) ? text + left_out_as_compiling(definition_, runs_, row) : text;
-  };
+  const DoubtRuns doubts = [this](const GateRow& row) { return doubts_of_runs(row); };
   return {find,
           find_series,
           measure_impacts,
@@ -330,7 +350,7 @@ GateEvidence CaseEvidence::gate_evidence() {
           history,
           fields,
           repeats,
-          kept,
+          doubts,
           definition_.sample_interval,
           [this](const std::string& run, const std::string& quantity) {
             return series_of(runs_, run, as_read(runs_, run, quantity));
@@ -338,9 +358,10 @@ GateEvidence CaseEvidence::gate_evidence() {
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {
-  read_.clear();
-  GateOutcome outcome = evaluate(row, runs_.status, gate_evidence());
-  outcome.measured_with = std::exchange(read_, {});
+  CaseEvidence& here = over_time_of(row);
+  here.read_.clear();
+  GateOutcome outcome = evaluate(row, runs_.status, here.gate_evidence());
+  outcome.measured_with = std::exchange(here.read_, {});
   return outcome;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <list>
 #include <map>
 #include <memory>
 #include <set>
@@ -68,7 +69,11 @@ class CaseEvidence {
   const Comparison& comparison(const std::string& candidate, const std::string& reference,
                                const std::string& quantity);
 
-  // The functions refer to this object.
+  // The evidence of the row's own time: this object, or where the row is judged over another time
+  // than the case's window (judged_time()) one that it holds.
+  CaseEvidence& over_time_of(const GateRow& row);
+
+  // The functions refer to this object, whose window they cut series to.
   GateEvidence gate_evidence();
 
   // Measures a row with a series in the place of a run's; it refers to this object.
@@ -88,6 +93,9 @@ class CaseEvidence {
   FittedComparisons fitted_;
   std::map<std::string, Estimate> of_repeats_ = {};  // by row; before any correction
   std::set<std::string> read_ = {};                  // the runs that the row being judged has read
+  // Evidence over other times than the case's window, of cases whose window that time is.
+  std::map<std::pair<double, double>, std::shared_ptr<CaseEvidence>> other_times_ = {};
+  std::list<CaseDefinition> other_definitions_ = {};
 
   // Compares with the reference's series, moved or not.
   const Comparison& comparison_with(const std::string& candidate, const std::string& reference,
@@ -96,6 +104,7 @@ class CaseEvidence {
                       const std::string& quantity, const Moved& moved);
   std::vector<InputEffect> effects_of_inputs(const GateRow& row);
   Contribution input_contribution(const GateRow& row, double value);
+  RowDoubts doubts_of_runs(const GateRow& row) const;
   const Estimate& of_repeats(const std::vector<std::string>& members, const GateRow& row);
   Estimate corrected_p_value(const std::vector<std::string>& members, const GateRow& row);
   const PreparedSeries& prepared(const std::string& role, const std::string& run,

@@ -36,11 +36,13 @@ const TimeSeries* series_of_record(const CaseDefinition& definition, const CaseR
   return nullptr;
 }
 
-std::vector<std::string> add_filtered_pressures(const CaseDefinition& definition, CaseRuns& runs) {
+std::vector<std::string> complete_results(const CaseDefinition& definition, CaseRuns& runs) {
   std::vector<std::string> failures;
-  for (auto& [name, result] : runs.results)
+  for (auto& [name, result] : runs.results) {
+    raise_dry_gauges(definition, run_named(definition, name), result);
     for (const std::string& why : add_filtered_pressures(definition, result))
       failures.push_back(name + ": " + why);
+  }
   return failures;
 }
 

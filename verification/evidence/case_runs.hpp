@@ -40,9 +40,10 @@ RunResult judged_part(const RunResult& result, const std::string& quantity);
 const TimeSeries* series_of_record(const CaseDefinition& definition, const CaseRuns& runs,
                                    const std::string& quantity);
 
-// Adds the low-pass filtered pressures to each result (filtered_pressures.hpp). Returns "RUN: why"
+// Adds the low-pass filtered pressures to each result (filtered_pressures.hpp), whose dry gauges it
+// raises to the floor: older results have neither. Returns "RUN: why"
 // for each series that could not be filtered.
-std::vector<std::string> add_filtered_pressures(const CaseDefinition& definition, CaseRuns& runs);
+std::vector<std::string> complete_results(const CaseDefinition& definition, CaseRuns& runs);
 
 // The case's window, or the part of it that a record covers. A candidate must cover it all.
 TimeWindow compared_window(const CaseDefinition& definition, const std::string& reference);

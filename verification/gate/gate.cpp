@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "verification/case/metric_table.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/gate/measured_value.hpp"
 #include "verification/series/interval_text.hpp"
@@ -247,6 +248,55 @@ std::optional<std::pair<Verdict, std::string>> obstacle_to(
   return std::nullopt;
 }
 
+// When the largest magnitude occurs and over which time it is sought, of an ensemble that of its
+// highest member, and a larger one at another time.
+std::string place_text(const GateRow& row, const GateEvidence& evidence) {
+  Peak peak{-1, not_a_number}, other{-1, not_a_number};
+  TimeSeries series, whole;
+  for (const std::string& run : ensemble_of(row.candidate, evidence).members) {
+    TimeSeries one = evidence.series(run, row.quantity);
+    if (!(largest_of(one).magnitude > peak.magnitude)) continue;
+    peak = largest_of(one);
+    series = std::move(one);
+    if (evidence.history) whole = evidence.history(run, row.quantity);
+  }
+  if (series.time.empty()) return "";  // NaN
+  const double begin = series.time.front(), end = series.time.back();
+  for (std::size_t i = 0; i < whole.time.size(); ++i)
+    if (whole.time[i] >= begin && whole.time[i] <= end) whole.value[i] = 0;
+  if (!whole.time.empty()) other = largest_of(whole);
+  const std::string text =
+      fmt::format("; at {:.4g} s of {:.4g} to {:.4g} s", peak.time, begin, end);
+  if (!(other.magnitude > peak.magnitude)) return text;
+  return text + fmt::format("; LARGER outside of that time: {} at {:.4g} s",
+                            in_unit(other.magnitude, row.unit), other.time);
+}
+
+// What a row on a peak of the candidate says beside its value.
+std::string peak_text(const GateRow& row, const GateEvidence& evidence) {
+  const bool is_largest = row.metric == Metric::largest_magnitude;
+  const bool is_peak = row.metric == Metric::impact_peak_error ||
+                       row.metric == Metric::impulse_error ||
+                       (is_largest && find_quantity(row.quantity));
+  const EnsembleOfRun runs = ensemble_of(row.candidate, evidence);
+  return (is_largest ? place_text(row, evidence) : "") +
+         (is_peak && !runs.exact && runs.members.size() == 1
+              ? "; single run: `repeats` of " + row.candidate + " tell how its peaks scatter"
+              : "");
+}
+
+// What the samples and the runs leave open.
+void add_doubts(const GateEvidence& evidence, GateOutcome& outcome) {
+  std::vector<RowDoubts> doubts{doubts_of_samples(outcome.row, evidence)};
+  if (evidence.doubts_of_runs) doubts.push_back(evidence.doubts_of_runs(outcome.row));
+  for (const RowDoubts& one : doubts) {
+    outcome.message += one.text;
+    if (one.keep_from_passing && outcome.verdict == Verdict::pass &&
+        outcome.row.kind != RowKind::regression)
+      outcome.verdict = Verdict::inconclusive;
+  }
+}
+
 }  // namespace
 
 AllowedRange allowed_by(const GateRow& row) {
@@ -267,7 +317,7 @@ std::optional<AllowedRange> tolerance_of(const CaseDefinition& definition,
                                          const Comparison& comparison, const std::string& mode,
                                          Metric metric) {
   for (const GateRow& row : definition.gate)
-    if (row.metric == metric && row.mode == mode && (row.limit || row.between) &&
+    if (row.metric == metric && row.mode == mode && !row.part && (row.limit || row.between) &&
         row.candidate == comparison.candidate && row.reference == comparison.reference &&
         row.quantity == comparison.quantity)
       return allowed_by(row);
@@ -291,12 +341,8 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
     const Estimate value = measured(row, evidence);
     GateOutcome outcome = row.improves_on ? judge_improvement(row, value, evidence)
                                           : judge_bound(row, value, evidence);
-    const SampleDoubts doubts = doubts_of_samples(row, evidence);
-    outcome.message += doubts.text;
-    if (doubts.keep_from_passing && outcome.verdict == Verdict::pass &&
-        row.kind != RowKind::regression)
-      outcome.verdict = Verdict::inconclusive;
-    if (evidence.kept) outcome.message += evidence.kept(row);
+    outcome.message += peak_text(row, evidence);
+    add_doubts(evidence, outcome);
     if (row.kind == RowKind::regression) outcome.message += " (regression)";
     return outcome;
   } catch (const NotSuppliedError& error) {

@@ -19,8 +19,8 @@ namespace slosh {
 using FindComparison = std::function<const Comparison&(
     const std::string& candidate, const std::string& reference, const std::string& quantity)>;
 
-// Returns a run's series over the case's window, checked as cut_to_window() does: it is finite and
-// covers the window. Throws ComparisonError or ResultError where there is no such series.
+// Returns a run's series over the time that the row judges, checked as cut_to_window() does: it is
+// finite and covers that time. Throws ComparisonError or ResultError where there is no such series.
 using FindSeries = std::function<TimeSeries(const std::string& run, const std::string& quantity)>;
 // Returns the whole of that series, as the run recorded it. Throws the same errors.
 using FindHistory = std::function<TimeSeries(const std::string& run, const std::string& quantity)>;
@@ -63,9 +63,15 @@ struct EnsembleOfRun {
 };
 using FindEnsemble = std::function<EnsembleOfRun(const std::string& run)>;
 
-// Returns "; doubtful: ..." where the row's runs may be kept though what they rest on has changed,
-// else "".
-using FindKept = std::function<std::string(const GateRow& row)>;
+// What a row's samples or runs leave open, for its message.
+struct RowDoubts {
+  std::string text;                // "; ..." for each
+  bool keep_from_passing = false;  // a row other than a regression
+};
+
+// Returns what is doubtful of the row's runs: one that is not sound, or that may be kept though
+// what it rests on has changed.
+using DoubtRuns = std::function<RowDoubts(const GateRow& row)>;
 
 struct GateEvidence {
   FindComparison comparison;
@@ -77,7 +83,7 @@ struct GateEvidence {
   FindHistory history = {};    // for the metrics of the start
   MeasureFields fields = {};
   MeasureRepeats repeats = {};
-  FindKept kept = {};
+  DoubtRuns doubts_of_runs = {};
   double sample_interval = 0;  // [s], of the case's series
   FindHistory readings = {};   // as `history`; of a filtered pressure those before its filter
 };

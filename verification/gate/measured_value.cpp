@@ -65,18 +65,14 @@ Estimate spectral_peak_error(const Comparison& comparison) {
   return error;
 }
 
-TimeWindow window_of(const GateRow& row, const Comparison& comparison) {
-  return row.part ? TimeWindow{row.part->first, row.part->second} : comparison.window;
-}
-
-// The metric holds for the declared window or its declared part alone, like normalised_rms.
-Estimate band_value(const GateRow& row, const Comparison& comparison) {
+// The metric holds for the window alone, like normalised_rms.
+Estimate band_value(const Comparison& comparison) {
   if (!comparison.margin)
     throw ComparisonError(
         fmt::format("{} has no band for {}; expected a record with lower_column "
                     "and upper_column",
                     comparison.reference, comparison.quantity));
-  return {share_outside(*comparison.margin, window_of(row, comparison)), 0};
+  return {share_outside(*comparison.margin, comparison.window), 0};
 }
 
 Estimate metric_value(Metric metric, const std::string& mode, const Comparison& comparison) {
@@ -112,6 +108,7 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
     case Metric::largest_magnitude:
     case Metric::noise_share:
     case Metric::initial_value:
+    case Metric::frequency:
     case Metric::plateau_error:
     case Metric::impact_arrival:
     case Metric::impact_peak_error:
@@ -134,16 +131,6 @@ Estimate metric_value(Metric metric, const std::string& mode, const Comparison& 
 Estimate cost_value(const CostAtError& found) {
   if (found.reach == Reach::not_at_all) return no_value;
   return {found.cost, found.cost * std::expm1(found.cost_spread)};
-}
-
-// NaN where a value is NaN or where there is no value at all.
-double largest_magnitude(const TimeSeries& series) {
-  double largest = series.value.empty() ? no_value.value : 0;
-  for (const double value : series.value) {
-    if (std::isnan(value)) return value;
-    largest = std::max(largest, std::abs(value));
-  }
-  return largest;
 }
 
 // Returns by how much the crest may exceed the largest sample: a parabola through this sample and
@@ -177,19 +164,29 @@ void require_unit(const GateRow& row, const std::string& quantity_unit) {
       fmt::format("{} is in {}, the row's limit in {}", metric_name(row.metric), unit, row.unit));
 }
 
+// A run that is compared with itself has its own modes.
+Estimate frequency(const GateRow& row, const GateEvidence& evidence) {
+  require_unit(row, "");
+  const Comparison& itself = evidence.comparison(row.candidate, row.candidate, row.quantity);
+  constexpr double turn = 2 * std::numbers::pi;
+  const Estimate& found = mode_of(itself, row.mode).candidate.angular_frequency;
+  return {found.value / turn, found.half_width / turn};
+}
+
 // The series over the window is requested first in any case: a series that is unusable there is
 // refused for initial_value too.
 double candidate_alone(const GateRow& row, const GateEvidence& evidence) {
   const TimeSeries series = evidence.series(row.candidate, row.quantity);
   require_unit(row, series.unit);
   if (row.metric == Metric::noise_share) return noise_share(series);
-  if (row.metric == Metric::largest_magnitude) return largest_magnitude(series);
+  if (row.metric == Metric::largest_magnitude) return largest_of(series).magnitude;
   if (row.metric == Metric::initial_value)
     return initial_value(evidence.history(row.candidate, row.quantity), evidence.sample_interval);
   throw std::logic_error("the candidate alone has no value of " + metric_name(row.metric));
 }
 
 Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
+  if (row.metric == Metric::frequency) return frequency(row, evidence);
   if (is_of_candidate_alone(row.metric)) return {candidate_alone(row, evidence), 0};
   if (is_of_impacts(row.metric)) {
     require_unit(row, "Pa");
@@ -205,17 +202,17 @@ Estimate measured_once(const GateRow& row, const GateEvidence& evidence) {
   }
   const Comparison& comparison = evidence.comparison(row.candidate, row.reference, row.quantity);
   require_unit(row, comparison.unit);
-  if (is_of_band(row.metric)) return band_value(row, comparison);
+  if (is_of_band(row.metric)) return band_value(comparison);
   return metric_value(row.metric, row.mode, comparison);
 }
 
-void add_doubt(const std::string& text, SampleDoubts& found) {
+void add_doubt(const std::string& text, RowDoubts& found) {
   found.text += "; " + text;
   found.keep_from_passing = true;
 }
 
 // Throws ComparisonError below least_coverage.
-void add_coverage(double covered, SampleDoubts& found) {
+void add_coverage(double covered, RowDoubts& found) {
   if (covered >= 1) return;
   if (covered < least_coverage)
     throw ComparisonError(
@@ -226,7 +223,7 @@ void add_coverage(double covered, SampleDoubts& found) {
       fmt::format("; over {:.2g} % of the window, which the samples cover", 100 * covered);
 }
 
-void add_doubtful(const std::vector<std::string>& doubts, SampleDoubts& found) {
+void add_doubtful(const std::vector<std::string>& doubts, RowDoubts& found) {
   if (!doubts.empty()) add_doubt(fmt::format("doubtful: {}", fmt::join(doubts, "; ")), found);
 }
 
@@ -272,14 +269,14 @@ std::string met_by_nothing(const GateRow& row, const Comparison& pair) {
         "that does not move meets them wherever it stays",
         departure, pair.unit);
   if (!pair.margin_of_nothing) return "";
-  const double outside = share_outside(*pair.margin_of_nothing, window_of(row, pair));
+  const double outside = share_outside(*pair.margin_of_nothing, pair.window);
   return row.metric == Metric::outside_band && holds(outside)
              ? fmt::format("the bounds hold {:.3g} %, the share of a candidate of zeros",
                            100 * outside)
              : "";
 }
 
-void add_doubts_of_pairs(const GateRow& row, const GateEvidence& evidence, SampleDoubts& found) {
+void add_doubts_of_pairs(const GateRow& row, const GateEvidence& evidence, RowDoubts& found) {
   const Comparison *unseen = nullptr, *barest = nullptr;
   std::vector<std::string> doubtful;
   for (const std::string& candidate : ensemble_of(row.candidate, evidence).members)
@@ -298,8 +295,7 @@ void add_doubts_of_pairs(const GateRow& row, const GateEvidence& evidence, Sampl
 }
 
 // What a run records beside the compared quantities need not be what a sensor reads.
-void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
-                             SampleDoubts& found) {
+void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence, RowDoubts& found) {
   const FindHistory& find = is_of_impacts(row.metric) ? evidence.history : evidence.series;
   if (!find) return;
   std::vector<std::string> doubts;
@@ -316,7 +312,7 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
       doubts.push_back(fmt::format("the candidate has no sample between {:.4g} and {:.4g} s",
                                    gap->begin, gap->end));
     if (row.metric == Metric::largest_magnitude && !row.improves_on) {
-      const double largest = largest_magnitude(series), above = above_largest(series.value);
+      const double largest = largest_of(series).magnitude, above = above_largest(series.value);
       constexpr double known_to = 1.001;  // a row prints three digits
       const double upper = bounds_of(row).second;
       if (largest <= upper && largest + above > upper * known_to)
@@ -331,7 +327,7 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
     // A series that rests at its lowest value, as at zero, is not cut off there.
     if (std::optional<FlatExtreme>& lowest = readings.limits.lowest;
         lowest && (row.metric != Metric::largest_magnitude ||
-                   std::abs(lowest->value) + lowest->hidden <= largest_magnitude(series)))
+                   std::abs(lowest->value) + lowest->hidden <= largest_of(series).magnitude))
       lowest.reset();
     std::ranges::move(doubts_of_readings(readings), std::back_inserter(doubts));
     if (readings.limits.step && are_coarse_for(row, readings, 0))
@@ -343,7 +339,7 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence,
 
 // Doubts a cost unless the smallest error of the runs that it rests on, and what the reference may
 // be off by, are together within the error to reach.
-void add_doubts_of_cost(const GateRow& row, const GateEvidence& evidence, SampleDoubts& found) {
+void add_doubts_of_cost(const GateRow& row, const GateEvidence& evidence, RowDoubts& found) {
   const std::vector<std::string> runs = evidence.cost(row).rests_on;
   if (!evidence.uncertainty || runs.empty()) return;
   GateRow reached = row;
@@ -367,8 +363,8 @@ void add_doubts_of_cost(const GateRow& row, const GateEvidence& evidence, Sample
   add_doubts_of_pairs(reached, evidence, found);
 }
 
-SampleDoubts doubts_of_row(const GateRow& row, const GateEvidence& evidence) {
-  SampleDoubts found;
+RowDoubts doubts_of_row(const GateRow& row, const GateEvidence& evidence) {
+  RowDoubts found;
   if (is_cost(row.metric))
     add_doubts_of_cost(row, evidence, found);
   else if (is_of_a_pair(metric_entry(row.metric)))
@@ -379,6 +375,14 @@ SampleDoubts doubts_of_row(const GateRow& row, const GateEvidence& evidence) {
 }
 
 }  // namespace
+
+Peak largest_of(const TimeSeries& series) {
+  Peak largest{series.value.empty() ? not_a_number : -1, not_a_number};
+  for (std::size_t i = 0; i < series.value.size() && !std::isnan(largest.magnitude); ++i)
+    if (const double magnitude = std::abs(series.value[i]); !(magnitude <= largest.magnitude))
+      largest = {magnitude, series.time[i]};
+  return largest;
+}
 
 std::string unseen_text(const UnseenInterval& unseen, const std::string& unit) {
   if (unseen.in_candidate)
@@ -393,12 +397,12 @@ std::string unseen_text(const UnseenInterval& unseen, const std::string& unit) {
       unseen.begin, unseen.end, unseen.departure, unit);
 }
 
-SampleDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence) {
-  SampleDoubts found = doubts_of_row(row, evidence);
+RowDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence) {
+  RowDoubts found = doubts_of_row(row, evidence);
   if (!row.improves_on) return found;
   GateRow other = row;
   other.candidate = *row.improves_on;
-  const SampleDoubts others = doubts_of_row(other, evidence);
+  const RowDoubts others = doubts_of_row(other, evidence);
   if (others.text != found.text && !others.text.empty())  // what both say is of the reference
     found.text += fmt::format("; with {} as the candidate{}", other.candidate, others.text);
   found.keep_from_passing |= others.keep_from_passing;

@@ -23,11 +23,12 @@ Estimate measured(const GateRow& row, const GateEvidence& evidence);
 // "the reference has no sample between 3 and 3.5 s, where the candidate departs by ..."
 std::string unseen_text(const UnseenInterval& unseen, const std::string& unit);
 
-// What the samples leave open of a row, for its message.
-struct SampleDoubts {
-  std::string text;                // "; ..." for each
-  bool keep_from_passing = false;  // a row other than a regression
+struct Peak {
+  double magnitude, time;
 };
+
+// The largest magnitude of a series and its time [s]; NaN where a value is NaN or there is none.
+Peak largest_of(const TimeSeries& series);
 
 // Half of the window: a value of less of it says little of the rest.
 inline constexpr double least_coverage = 0.5;
@@ -37,7 +38,7 @@ inline constexpr double least_coverage = 0.5;
 // tenth of the row's bounds, bounds that a candidate of nothing meets, and the share of the window
 // that the samples cover where that is not all; and the same of a run to improve on. Throws what
 // measured() throws, and ComparisonError where they cover less than least_coverage.
-SampleDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence);
+RowDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence);
 
 // Whether the row is judged on the mean or the median over an ensemble, its candidate or its
 // reference.

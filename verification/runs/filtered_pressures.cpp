@@ -1,9 +1,13 @@
 #include "verification/runs/filtered_pressures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "verification/case/changed_input.hpp"
 #include "verification/case/quantities.hpp"
+#include "verification/case/shape/tank_shape.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/series/low_pass_filter.hpp"
 
 namespace slosh {
@@ -18,6 +22,20 @@ std::optional<TimeSeries> find_series(const RunResult& result, const std::string
 void replace_series(RunResult& result, TimeSeries series) {
   std::erase_if(result.series, [&](const TimeSeries& one) { return one.name == series.name; });
   result.series.push_back(std::move(series));
+}
+
+// The lowest of the section at x [m].
+double floor_at(const TankDefinition& tank, double x) {
+  double lowest = tank.height;
+  const Outline corners = corners_of(tank);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Corner &from = corners[i], &to = corners[(i + 1) % corners.size()];
+    if (x < std::min(from.x, to.x) || x > std::max(from.x, to.x)) continue;
+    lowest =
+        std::min(lowest, from.x == to.x ? std::min(from.z, to.z)
+                                        : std::lerp(from.z, to.z, (x - from.x) / (to.x - from.x)));
+  }
+  return lowest;
 }
 
 }  // namespace
@@ -41,6 +59,23 @@ std::vector<std::string> add_filtered_pressures(const CaseDefinition& definition
     }
   }
   return failures;
+}
+
+void raise_dry_gauges(const CaseDefinition& definition, const RunDefinition& run,
+                      RunResult& result) {
+  if (!solver_kind(run).solves_flow) return;
+  const double depth = definition_solved_by(run, definition).liquid.fill_depth;
+  for (const GaugeDefinition& gauge : definition.gauges) {
+    const double floor = floor_at(definition.tank, gauge.x) - depth;
+    for (TimeSeries& series : result.series) {
+      const Quantity* quantity = find_quantity(series.name);
+      if (!quantity || quantity->at != MeasuredAt::surface_gauge ||
+          !series.name.ends_with("@" + gauge.name))
+        continue;
+      for (double& value : series.value)
+        if (value < floor) value = floor;  // NaN stays
+    }
+  }
 }
 
 }  // namespace slosh

@@ -132,6 +132,7 @@ RunResult execute(const CaseDefinition& definition, const RunDefinition& run,
     result.cost.steps = own.steps;
     result.cost.elements = own.elements;
   }
+  raise_dry_gauges(definition, run, result);
   // What cannot be filtered is told where the result is judged.
   add_filtered_pressures(solved, result);
   result.case_name = definition.name;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "verification/case/ensemble.hpp"
+#include "verification/case/judged_time.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/gate/impact_metrics.hpp"
@@ -13,7 +14,8 @@
 namespace slosh {
 namespace {
 
-SpoilingFrame frame_of(const CaseDefinition& definition, const GateRow& row) {
+SpoilingFrame frame_of(const CaseDefinition& of, const GateRow& row) {
+  const CaseDefinition definition = judged_over(row, of);
   const bool has_reference = !row.reference.empty() && !is_of_impacts(row.metric);
   const TimeWindow window = has_reference
                                 ? compared_window(definition, row.reference)

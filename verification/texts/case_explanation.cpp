@@ -197,8 +197,10 @@ std::string gates_text(const CaseDefinition& definition) {
 std::string row_text(const GateRow& row) {
   const std::string mode = row.mode == "whole" ? "" : fmt::format(" ({})", row.mode);
   const std::string against = row.reference.empty() ? "" : " against " + row.reference;
-  return fmt::format("{}: {} of {}{}{} {}.", row.candidate, metric_entry(row.metric).description,
-                     row.quantity, mode, against, bound_text(row));
+  const std::string part =
+      row.part ? fmt::format(" from {:g} to {:g} s", row.part->first, row.part->second) : "";
+  return fmt::format("{}: {} of {}{}{}{} {}.", row.candidate, metric_entry(row.metric).description,
+                     row.quantity, mode, part, against, bound_text(row));
 }
 
 std::string explanation(const CaseDefinition& definition,

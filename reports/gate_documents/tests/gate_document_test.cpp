@@ -106,6 +106,22 @@ TEST(GateDocument, ListsInMarkdownWhatIsNotSimplyAPassAndCountsTheRest) {
   EXPECT_NE(at("3 % is not &lt;= 1 % \\| at all"), text.npos);  // the bar would end the cell
 }
 
+TEST(GateDocument, TellsOfRunsThatAreNotSoundBelowItsHeadlineAndInTheirSuite) {
+  GateDocument gate = document();
+  const auto doubt = [&] {
+    return parsed(junit_xml(gate))
+        .get<std::string>("testsuites.testsuite.properties.property.<xmlattr>.value", "");
+  };
+  EXPECT_EQ(doubt(), "");
+  gate.basis = "7 rows.";
+  gate.doubts["surge & roll"] = "doubtful: surge & roll: sph is not sound";
+  EXPECT_EQ(doubt(), "doubtful: surge & roll: sph is not sound");
+  const std::string text = gate_markdown(gate);
+  const std::size_t at = text.find("\ndoubtful: surge &amp; roll: sph is not sound\n");
+  ASSERT_NE(at, text.npos) << text;
+  EXPECT_LT(at, text.find("7 rows."));
+}
+
 TEST(GateDocument, TellsALostRowAndCountsItAsAFailure) {
   GateDocument gate = document();
   gate.entries = {entry(GateOutcomeKind::lost, "gone"), entry(GateOutcomeKind::skipped, "moved")};

@@ -89,12 +89,14 @@ TEST(WrittenReport, LeadsFromItsBannerToTheRowThatDecides) {
   report.decision = {
       "Decided by", {"surge: 10 mm <coarse>", "section-" + section.id}, "7 % > 5 %."};
   report.coverage = "4 of 5 rows are judged.";
+  report.doubts = {"doubtful: sph <coarse>"};
   write_report(report, scratch / "report");
   const std::string page = read_text(scratch / "report/index.html");
   EXPECT_NE(page.find("Decided by <a href=\"#section-" + section.id +
                       "\">surge: 10 mm &lt;coarse&gt;</a>: 7 % &gt; 5 %."),
             std::string::npos);
   EXPECT_LT(page.find("4 of 5 rows are judged."), page.find(report.subtitle));
+  EXPECT_LT(page.find("doubtful: sph &lt;coarse&gt;"), page.find("4 of 5 rows are judged."));
   report.decision.row.anchor = "row-nowhere";
   EXPECT_THROW(check_report(report), ReportError);
 }

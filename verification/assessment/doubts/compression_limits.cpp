@@ -73,34 +73,11 @@ void limit_air(const CaseDefinition& definition, const CaseRuns& runs,
                       "Bagnold 1939; Dias & Ghidaglia 2018, Annu. Rev. Fluid Mech. 50:243"});
 }
 
-std::optional<double> recorded_mach_number(const CaseRuns& runs, const std::string& run) {
-  const auto result = runs.results.find(run);
-  if (result == runs.results.end()) return {};
-  const auto number = result->second.diagnostics.find("largest_mach_number");
-  if (number == result->second.diagnostics.end()) return {};
-  return number->second;
-}
-
-void limit_recorded_mach_number(const CaseRuns& runs, std::vector<ModelLimit>& limits) {
-  double largest = 0;
-  std::string of;
-  for (const auto& [run, result] : runs.results)
-    if (const auto mach = recorded_mach_number(runs, run); mach && !(*mach <= largest)) {
-      largest = *mach;
-      of = run;
-    }
-  if (!of.empty())
-    limits.push_back({fmt::format("the compressibility of the liquid at the largest Mach number "
-                                  "recorded, {:.2g} of {}",
-                                  largest, of),
-                      largest * largest, seen_compression, "of the density", weakly_compressible});
-}
-
 void limit_chosen_sound(const CaseDefinition& definition, const CaseRuns& runs,
                         std::vector<ModelLimit>& limits) {
   const auto soft = runs_with(definition, [&](const RunDefinition& run) {
     const auto* sph = std::get_if<SphRun>(&run.solver);
-    return sph && sph->numbers.sound_speed_ratio && !recorded_mach_number(runs, run.name);
+    return sph && sph->numbers.sound_speed_ratio && !runs.results.contains(run.name);
   });
   double lowest = 0;
   for (const std::string& name : soft) {
@@ -118,7 +95,6 @@ void limit_chosen_sound(const CaseDefinition& definition, const CaseRuns& runs,
 std::vector<ModelLimit> compression_limits(const CaseDefinition& definition, const CaseRuns& runs) {
   std::vector<ModelLimit> limits;
   limit_air(definition, runs, limits);
-  limit_recorded_mach_number(runs, limits);
   limit_chosen_sound(definition, runs, limits);
   return limits;
 }

@@ -18,8 +18,9 @@ namespace slosh {
 //   highest declared one; else the highest that the runs recorded where still liquid does not
 //   reach, through the gauge's filter if it has one; else 4 rho V^2 of the expected speed V, where
 //   liquid may strike a sensor
-// - the compressibility at the largest Mach number that a run recorded
-// - the compressibility of an SPH run that sets its own speed of sound and recorded no Mach number
+// - the compressibility of an SPH run that sets its own speed of sound and has no result, which
+// would
+//   tell (evidence/soundness.hpp)
 std::vector<ModelLimit> compression_limits(const CaseDefinition& definition, const CaseRuns& runs);
 
 }  // namespace slosh

@@ -87,26 +87,13 @@ TEST(CompressionLimits, HaveTheCompressibilityOfRunsWithASlowSound) {
   EXPECT_TRUE(found_limit(case_with_runs({soft}), "compressibility")->exceeded());
 }
 
-TEST(CompressionLimits, JudgeTheLargestMachNumberThatTheRunsRecorded) {
-  const CaseDefinition definition = case_with_runs({SphRun{"recommended", 0.01, 0.01}});
-  CaseRuns runs;
-  runs.results["a_run"].diagnostics["largest_mach_number"] = 0.1;
-  EXPECT_FALSE(found_limit(definition, "compressibility", runs)->exceeded());
-  runs.results["fast"].diagnostics["largest_mach_number"] = 0.28;
-  runs.results["mesh"] = {};
-  const auto limit = found_limit(definition, "compressibility", runs);
-  EXPECT_TRUE(limit->exceeded());
-  EXPECT_NEAR(limit->value, 0.28 * 0.28, 1e-12);
-  EXPECT_NE(limit->effect.find("the largest Mach number recorded, 0.28 of fast"), std::string::npos)
-      << limit->effect;
-}
-
-TEST(CompressionLimits, BelieveARecordedMachNumberMoreThanAChosenSound) {
+TEST(CompressionLimits, LeaveARunThatHasAResultToItsSoundness) {
   SphRun soft{"recommended", 0.01, 0.01};
   soft.numbers.sound_speed_ratio = 5;
+  CaseDefinition definition = case_with_runs({soft});
   CaseRuns runs;
-  runs.results["a_run"].diagnostics["largest_mach_number"] = 0.05;
-  EXPECT_NEAR(found_limit(case_with_runs({soft}), "compressibility", runs)->value, 0.0025, 1e-12);
+  runs.results[definition.runs.back().name] = {};
+  EXPECT_FALSE(found_limit(definition, "compressibility", runs));
 }
 
 }  // namespace

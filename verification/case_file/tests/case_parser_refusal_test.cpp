@@ -180,7 +180,7 @@ gate.metric = "frequency_error" -> gate.mode = "forced": expected what frequency
 gate.metric = "amplitude_eror": expected a metric, one of amplitude_error, phase_lag,
   frequency_error, decay_rate, decay_error, normalised_rms, aligned_rms, largest_magnitude,
   cross_correlation_lag, spectral_peak_error, rms_error, mean_offset, noise_share, initial_value,
-  plateau_error, impact_arrival, impact_peak_error, impulse_error, peak_mean_p_value,
+  frequency, plateau_error, impact_arrival, impact_peak_error, impulse_error, peak_mean_p_value,
   peak_ks_p_value, peak_ad_p_value, peak_median_error, outside_band, pressure_field_rms,
   pressure_field_tension, cost_to_reach; nearest: amplitude_error
 gate.metric = "aligned_rms" -> gate.mode = "forced": expected what aligned_rms is measured on, of

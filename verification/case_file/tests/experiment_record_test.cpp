@@ -198,16 +198,26 @@ TEST(ExperimentRecord, WithABandServesRowsOnItEvenWhereItIsNotSupplied) {
   EXPECT_FALSE(read_text(text_with(experiment + band + band_row)).gate.back().part);
 }
 
-TEST(ExperimentRecord, HasRowsOnABandAndOnPartsOfTheWindowForItsBandAlone) {
+TEST(ExperimentRecord, HasRowsOnItsBandAlone) {
   expect_refusals({text_with(experiment + band_row), {{"probe.csv", probe}}}, R"(
 -> gate.reference = "probe": expected a record with lower_column and upper_column: outside_band is
   measured on their band
 )");
+}
+
+TEST(ExperimentRecord, ServesRowsOnPartsOfTheRun) {
+  const auto part_of = [](const std::string& keys) {
+    std::string row = band_row;
+    row.replace(row.find("outside_band"), 12, "rms_error");
+    return read_text(text_with(experiment + band + row + keys)).gate.back().part;
+  };
+  EXPECT_EQ(part_of("part_begin_s = 0.5\npart_end_s = 3\n"), std::pair(0.5, 3.0));
+  EXPECT_EQ(part_of("part_begin_s = 5\n"), std::pair(5.0, 20.0));
+  EXPECT_EQ(part_of("part_end_s = 5\n"), std::pair(0.0, 5.0));
   expect_refusals({text_with(experiment + band + band_row), {{"probe.csv", banded}}}, R"(
-gate.part_end_s = 3 & gate.part_begin_s = 0.5: expected a number from 1 to below 20
-gate.part_begin_s = 3 & gate.part_end_s = 3: expected a number above part_begin_s (3)
-gate.metric = "rms_error" & gate.part_end_s = 4 & gate.part_begin_s = 3: expected no such key: only a
-  metric of a band is taken over a part of the window
+gate.part_begin_s = 20: expected a number >= 0 and below 20, in s
+gate.part_begin_s = 3 & gate.part_end_s = 3: expected a number above 3 and <= 20, in s
+gate.metric = "cost_to_reach" & gate.part_end_s = 4: expected
 )");
 }
 

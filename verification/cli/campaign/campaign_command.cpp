@@ -21,6 +21,7 @@
 #include "verification/cli/campaign/campaign_options.hpp"
 #include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/cli/campaign/requested_campaign.hpp"
+#include "verification/evidence/soundness.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/legible_text.hpp"
 #include "verification/input/case_file_error.hpp"
@@ -132,10 +133,12 @@ int judge_campaign(RequestedCampaign campaign, const CampaignOptions& options,
                status);
   std::vector<std::string> lines{fmt::format("{}: {}{}", headline_word(status),
                                              verdict_sentence(assessed.cases, assessed.problems),
-                                             coverage_sentence(assessed.cases)),
-                                 kinds_sentence(assessed.cases, assessed.problems),
-                                 cost_sentence(assessed.cases, assessed.problems),
-                                 fmt::format("report: {}\n", page_in(place).string())};
+                                             coverage_sentence(assessed.cases))};
+  for (const CaseAssessment& one : assessed.cases)
+    lines.push_back(doubtful_runs(one.definition, one.runs));
+  lines.insert(lines.end(), {kinds_sentence(assessed.cases, assessed.problems),
+                             cost_sentence(assessed.cases, assessed.problems),
+                             fmt::format("report: {}\n", page_in(place).string())});
   std::erase(lines, "");
   print_lines(fmt::format("{}", fmt::join(lines, "\n")));
   return status;

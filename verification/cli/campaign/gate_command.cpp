@@ -78,7 +78,9 @@ int judge_campaign(RequestedCampaign campaign, const fs::path& ledger, const Gat
   reports::GateDocument document = gate_document(assessed, findings, start.installation.source);
   document.exit_status = asked;
   write_gate_files(document, directory);
-  print_lines(fmt::format("{}\n{}\ngate: {}, junit.xml\n", document.verdict, document.basis,
+  std::string headline = document.verdict + "\n";
+  for (const auto& [group, doubt] : document.doubts) headline += doubt + "\n";
+  print_lines(fmt::format("{}{}\ngate: {}, junit.xml\n", headline, document.basis,
                           (directory / "gate.md").string()));
   start.earlier.end("report", findings.status, asked);
   return asked;

@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "reports/summary/campaign_report.hpp"
 #include "reports/tables/case_tables.hpp"
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
+#include "verification/evidence/soundness.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 
@@ -172,6 +174,8 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed, const Gate
                                  .exit_status = findings.status,
                                  .inconclusive_passes = findings.inconclusive_passes};
   for (const CaseAssessment& one : assessed.cases) {
+    if (std::string doubt = doubtful_runs(one.definition, one.runs); !doubt.empty())
+      document.doubts[one.definition.name] = std::move(doubt);
     for (const GateOutcome& outcome : one.gate)
       document.entries.push_back(entry_of(one, outcome, findings, source));
     for (const auto& [run, status] : one.runs.status)

@@ -14,6 +14,7 @@
 #include "verification/campaign/campaign_run.hpp"
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/ensemble.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/sweep.hpp"
@@ -35,10 +36,21 @@ void miss_records(CaseAssessment& assessment) {
 
 namespace fs = std::filesystem;
 
-void require_window(const CaseDefinition& definition) try {
-  require_resolved({definition.window_begin, definition.window_end}, fitted_modes(definition));
-} catch (const ComparisonError& error) {
-  throw CaseFileError(fmt::format("{}: comparison: {}", definition.file.string(), error.what()));
+// The window, and the rows' own parts of the run, are long enough for the modes.
+void require_windows(const CaseDefinition& definition) {
+  const auto require = [&](TimeWindow window, const std::string& where) {
+    try {
+      require_resolved(window, fitted_modes(definition));
+    } catch (const ComparisonError& error) {
+      throw CaseFileError(where + error.what());
+    }
+  };
+  require({definition.window_begin, definition.window_end},
+          definition.file.string() + ": comparison: ");
+  for (const GateRow& row : definition.gate)
+    if (row.part && row.metric != Metric::largest_magnitude && has_modes(row.quantity))
+      require({row.part->first, row.part->second},
+              fmt::format("{}:{}: part_begin_s: ", row.where.file, row.where.line));
 }
 
 void require_timed_runs(const CampaignDefinition& campaign,
@@ -142,7 +154,7 @@ std::string form_of(const CampaignOptions& options) {
 void require_runnable(const std::vector<CaseDefinition>& cases) {
   Complaints complaints;
   for (const CaseDefinition& definition : cases) {
-    complaints.allow([&] { require_window(definition); });
+    complaints.allow([&] { require_windows(definition); });
     for (const RunDefinition& run : definition.runs)
       complaints.allow([&] { require_runnable(definition, run); });
   }

@@ -785,7 +785,7 @@ TEST_F(GateOnOwnSeries, PassesUpToItsLimitOnEitherSide) {
   EXPECT_EQ(judge_series(gap()).verdict, Verdict::pass);
   EXPECT_EQ(judge_series(gap(-1)).verdict, Verdict::pass);
   EXPECT_EQ(judge_series(gap()).value.value, 0.5);
-  EXPECT_EQ(judge_series(gap()).message, "50 % ≤ 50 %");
+  EXPECT_EQ(judge_series(gap()).message, "50 % ≤ 50 %; at 10 s of 0 to 10 s");
 }
 
 TEST_F(GateOnOwnSeries, IsViolatedByAScaledSeries) {
@@ -961,6 +961,68 @@ TEST(Gate, DoubtsACostWhoseErrorTheReferenceDoesNotTell) {
     };
     EXPECT_EQ(evaluate(row, all_finished(), evidence).verdict, verdict) << reference.basis;
   }
+}
+
+// A load of 30 N/m that swings with a period of 4 s, judged from 5 s on, and a slam before that.
+class GateOnALoad : public ::testing::Test {
+ protected:
+  GateOnALoad() { row.quantity = "force_x"; }
+
+  static TimeSeries load(double slam) {
+    TimeSeries series{"force_x", "N/m", {}, {}};
+    for (int i = 0; i <= 1000; ++i) {
+      const double t = 0.01 * i;
+      series.time.push_back(t);
+      series.value.push_back(30 * std::sin(std::numbers::pi / 2 * t) +
+                             slam * std::exp(-std::pow((t - 1.2) / 0.02, 2)));
+    }
+    return series;
+  }
+  GateOutcome judge(const TimeSeries& whole, TimeWindow over) const {
+    GateEvidence evidence;
+    evidence.series = [&](const auto&, const auto&) { return cut_to_window(whole, over); };
+    evidence.history = [&](const auto&, const auto&) { return whole; };
+    evidence.sample_interval = 0.01;
+    return evaluate(row, {{"sph", {RunState::finished, ""}}}, evidence);
+  }
+
+  GateRow row = row_of(Metric::largest_magnitude, "whole", "N/m", 60);
+};
+
+TEST_F(GateOnALoad, TellsWhenThePeakIsAndThatALargerOneLiesOutsideOfItsTime) {
+  const GateOutcome whole = judge(load(90), {0, 10});
+  EXPECT_EQ(whole.verdict, Verdict::violated);
+  EXPECT_NE(whole.message.find("; at 1.2 s of 0 to 10 s"), std::string::npos) << whole.message;
+  const GateOutcome later = judge(load(90), {5, 10});
+  EXPECT_EQ(later.value.value, 30);
+  EXPECT_EQ(later.verdict, Verdict::pass);
+  EXPECT_NE(later.message.find("; LARGER outside of that time: 119 N/m at 1.2 s"),
+            std::string::npos)
+      << later.message;
+  EXPECT_EQ(judge(load(0), {5, 10}).message.find("LARGER"), std::string::npos);
+}
+
+TEST_F(GateOnALoad, SaysSingleRunWhereNoRunRepeatsIt) {
+  const char* says = "; single run: `repeats` of sph tell how its peaks scatter";
+  EXPECT_NE(judge(load(20), {0, 10}).message.find(says), std::string::npos);
+  row.quantity = "mach_number";
+  EXPECT_EQ(judge(load(20), {0, 10}).message.find("single run"), std::string::npos);
+}
+
+TEST_F(GateOnALoad, DoesNotPassOnARunThatIsNotSound) {
+  GateEvidence evidence;
+  const TimeSeries whole = load(0);
+  evidence.series = [&](const auto&, const auto&) { return whole; };
+  evidence.doubts_of_runs = [](const GateRow&) { return RowDoubts{"; doubtful: sph", true}; };
+  const auto judged = [&] {
+    return evaluate(row, {{"sph", {RunState::finished, ""}}}, evidence).verdict;
+  };
+  EXPECT_EQ(judged(), Verdict::inconclusive);
+  row.limit = 10;
+  EXPECT_EQ(judged(), Verdict::violated);
+  row.limit = 60;
+  row.kind = RowKind::regression;
+  EXPECT_EQ(judged(), Verdict::pass);
 }
 
 // Liquid that starts 1e-5 m above its still level, recorded from 0 s and judged from 5 s on.
