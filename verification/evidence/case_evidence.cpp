@@ -161,6 +161,8 @@ Comparison CaseEvidence::compared(const std::string& candidate, const std::strin
   Comparison comparison =
       compare(prepared("candidate", candidate, quantity, {}, window, modes),
               prepared("reference", reference, quantity, moved, window, modes), needed_.names);
+  if (needed_.with_what_is_beside)
+    for (ModeComparison& mode : comparison.modes) mode.beside.reset();
   const auto gap = longest_gap(prepared("candidate", candidate, quantity, {}, window, modes).cut,
                                definition_.sample_interval);
   if (gap && modes.empty())  // else the modes ask for samples
@@ -231,7 +233,9 @@ MeasureWithSeries CaseEvidence::measure_with_series() const {
     }
     for (TimeSeries& one : replaced.results.at(run).series)
       if (one.name == row.quantity) one = series;
-    CaseEvidence evidence(definition, replaced, nullptr, modes_needed_by({row}));
+    NeededModes needed = modes_needed_by({row});
+    needed.with_what_is_beside = true;
+    CaseEvidence evidence(definition, replaced, nullptr, std::move(needed));
     return measured(row, evidence.gate_evidence());
   };
 }

@@ -54,6 +54,9 @@ struct FittedComparisons {
 struct NeededModes {
   Detail detail = Detail::fitted_tones;
   std::set<std::string> names = {};  // empty: all modes
+  // Of a series in the candidate's place: what it has beside a mode, as at another period of the
+  // motion, belongs to the metric. The row's own pair has been asked whether its modes are apart.
+  bool with_what_is_beside = false;
 };
 
 NeededModes modes_needed_by(const std::vector<GateRow>& rows);

@@ -99,10 +99,29 @@ TEST(RowUncertainty, OfAnInputIsOfTheCandidateHoweverFarTheoryIs) {
                                        {Metric::normalised_rms, "whole"}}) {
       const OfAnAnswer by_amplitude(metric, mode, height, 15, Input::amplitude, 0.002);
       check(by_amplitude, by_amplitude.reach(higher));
-      if (metric == Metric::amplitude_error) continue;  // no fit tells it at another period
+      if (metric == Metric::amplitude_error) continue;  // of a pair it is refused at another period
       const OfAnAnswer by_period(metric, mode, height, 15, Input::period, 0.01 * period);
       check(by_period, by_period.reach(slower));
     }
+}
+
+// A wave of another period is drawn along by its difference in frequency: it lags by that times the
+// window's middle. Its amplitude moves by some three shares, as the tank's response does, which
+// rises as omega^2 / (omega_1^2 - omega^2).
+TEST(RowUncertainty, OfAPeriodIsTheLagAtTheWindowsMiddle) {
+  const double frequency = Theory().angular_frequency, period = 2 * std::numbers::pi / frequency;
+  for (const double share : {0.002, 0.01}) {
+    OfAnAnswer row(Metric::phase_lag, "forced", 1, 0, Input::period, share * period);
+    row.definition.gate[0].unit = "deg";
+    row.definition.gate[0].limit = 90;
+    const double middle = (row.definition.window_begin + row.definition.window_end) / 2;
+    const double lag = 180 / std::numbers::pi * frequency * share * middle;
+    EXPECT_NEAR(row.judged().judgement->contributions.input.known(), lag, 0.05 * lag) << share;
+    OfAnAnswer high(Metric::amplitude_error, "forced", 1, 0, Input::period, share * period);
+    const double known = high.judged().judgement->contributions.input.known();
+    EXPECT_GT(known, 2 * share);
+    EXPECT_LT(known, 4 * share);
+  }
 }
 
 // The band of a record that is half as high as theory says: theory is outside whatever the input
