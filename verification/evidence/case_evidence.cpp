@@ -138,7 +138,7 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
                       series_of(runs_, run, quantity + upper_edge)});
     made->readings.rests = resting_values(definition_, quantity);
     if (const std::string raw = as_read(runs_, run, quantity); raw != quantity)
-      made->readings.limits = sensor_limits(cut_to_window(series_of(runs_, run, raw), window));
+      made->readings.limits = sensor_limits(series_of(runs_, run, raw), window);
     here = std::move(made);
   }
   return *here;

@@ -321,9 +321,10 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence, R
     }
     if (!is_compared) continue;
     const bool is_smoothed = evidence.readings && is_filtered(row.quantity);
-    SensorReadings readings{
-        "candidate", series.unit,
-        sensor_limits(is_smoothed ? evidence.readings(run, row.quantity) : series)};
+    const FindHistory& whole = is_smoothed ? evidence.readings : evidence.history;
+    SensorReadings readings{"candidate", series.unit,
+                            sensor_limits(whole ? whole(run, row.quantity) : series,
+                                          {series.time.front(), series.time.back()})};
     // A series that rests at its lowest value, as at zero, is not cut off there.
     if (std::optional<FlatExtreme>& lowest = readings.limits.lowest;
         lowest && (row.metric != Metric::largest_magnitude ||

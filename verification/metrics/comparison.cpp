@@ -152,7 +152,7 @@ PreparedSeries::PreparedSeries(const std::string& role, TimeSeries of, TimeWindo
       modes(std::move(requests)),
       cut(cut_to_window(series, window)),
       constant(is_constant(cut)),
-      readings{role, series.unit, sensor_limits(cut),
+      readings{role, series.unit, sensor_limits(series, window),
                series.unit == "Pa" ? std::vector<double>{0} : std::vector<double>{}},
       covered(covered_share(series, window)) {
   if (modes.empty() || constant) return;

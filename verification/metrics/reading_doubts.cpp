@@ -10,10 +10,17 @@ namespace {
 
 constexpr double same_value = 0.015;  // of the range
 
-bool may_rest(const FlatExtreme& flat, const SensorReadings& of) {
+bool may_rest(double value, const SensorReadings& of) {
   return std::any_of(of.rests.begin(), of.rests.end(), [&](double rest) {
-    return std::abs(flat.value - rest) <= same_value * of.limits.range;
+    return std::abs(value - rest) <= same_value * of.limits.range;
   });
+}
+
+// An impact leaves its neighbours too: a pressure rises, a load may pull. Impacts do not recur at
+// one value, as lost samples do.
+bool may_be_real(const IsolatedReadings& isolated, const SensorReadings& of) {
+  if (isolated.value) return may_rest(*isolated.value, of);
+  return of.unit.starts_with("N") || (of.unit == "Pa" && isolated.above);
 }
 
 void add_flat(const SensorReadings& of, const FlatExtreme& flat, const char* which,
@@ -30,9 +37,9 @@ std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
   std::vector<std::string> doubts;
   const auto& [range, step, highest, lowest, sparse, isolated] = of.limits;
   // A pressure rests at its lowest value alone.
-  if (highest && (of.unit == "Pa" || !may_rest(*highest, of)))
+  if (highest && (of.unit == "Pa" || !may_rest(highest->value, of)))
     add_flat(of, *highest, "highest", doubts);
-  if (lowest && !may_rest(*lowest, of)) add_flat(of, *lowest, "lowest", doubts);
+  if (lowest && !may_rest(lowest->value, of)) add_flat(of, *lowest, "lowest", doubts);
   if (sparse)
     doubts.push_back(
         sparse->held
@@ -42,8 +49,7 @@ std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
             : fmt::format("the {} follows straight lines between readings {:.4g} s apart, which "
                           "cut off some {:.2g} {} of a crest",
                           of.role, sparse->interval, sparse->hidden, of.unit));
-  const bool may_be_struck = of.unit.starts_with("N");  // a load, whose impact may pull
-  if (isolated && !may_be_struck && !(of.unit == "Pa" && isolated->above))
+  if (isolated && !may_be_real(*isolated, of))
     doubts.push_back(fmt::format(
         "{} samples of the {} leave their neighbours alone, as at {:.4g} s: a value is off by some "
         "{:.2g} {} in the mean",

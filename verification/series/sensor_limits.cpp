@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "verification/series/sample_moments.hpp"
@@ -115,10 +117,14 @@ std::optional<Top> top_of(const TimeSeries& series, double band, std::size_t fir
   return top;
 }
 
-// The flat that hides most, where all crests that reach the band are flat together. Within a step
-// of the sensor nothing is known of their fall.
+bool meets(const FlatExtreme& flat, TimeWindow window) {
+  return flat.begin < window.end && flat.end > window.begin;
+}
+
+// Of the flats that meet the window the one that hides most, where all crests that reach the band
+// are flat together. Within a step of the sensor nothing is known of their fall.
 std::optional<FlatExtreme> flat_within(const TimeSeries& series, double extreme, double band,
-                                       double range, double step) {
+                                       double range, double step, TimeWindow window) {
   std::optional<FlatExtreme> worst;
   double hidden = 0, fall = 0, variance = 0;
   for (std::size_t i = 0; i < series.value.size(); ++i) {
@@ -130,16 +136,17 @@ std::optional<FlatExtreme> flat_within(const TimeSeries& series, double extreme,
     hidden += top->flat.hidden;
     fall += std::max(top->fall, step);
     variance += top->variance;
-    if (!(worst && worst->hidden >= top->flat.hidden)) worst = top->flat;
+    if (meets(top->flat, window) && !(worst && worst->hidden >= top->flat.hidden))
+      worst = top->flat;
   }
   const bool is_flat = fall + standard_errors * std::sqrt(variance) <= most_of_round * hidden;
   return is_flat ? worst : std::nullopt;
 }
 
 std::optional<FlatExtreme> flat_extreme(const TimeSeries& series, double extreme, double range,
-                                        double step) {
+                                        double step, TimeWindow window) {
   for (const double band : bands)
-    if (auto flat = flat_within(series, extreme, band * range, range, step)) return flat;
+    if (auto flat = flat_within(series, extreme, band * range, range, step, window)) return flat;
   return std::nullopt;
 }
 
@@ -230,69 +237,130 @@ TimeSeries without(const std::vector<bool>& left_out, const TimeSeries& series) 
   return kept;
 }
 
-// Runs of one or two samples that leave the line between their neighbours, which follow one
-// another.
+// Runs of one or two samples, or of more of one value, that leave the line between their
+// neighbours, which follow one another.
 struct Isolated {
   std::vector<bool> is_isolated;
   std::optional<IsolatedReadings> told;
 };
 
-Isolated isolated_readings(const TimeSeries& series, double range) {
-  const auto& [name, unit, time, value] = series;
-  Isolated found{std::vector<bool>(value.size()), {}};
-  if (value.size() < fewest_readings) return found;
-  const auto left = [&](std::size_t i, std::size_t before, std::size_t after) {
+class IsolatedSearch {
+ public:
+  IsolatedSearch(const TimeSeries& series, double range) : series_(series) {
+    found_.is_isolated.resize(series.value.size());
+    if (series.value.size() < fewest_readings) return;
+    std::vector<double> usual;
+    for (std::size_t i = 1; i + 1 < series.value.size(); ++i)
+      usual.push_back(std::abs(left(i, i - 1, i + 1)));
+    least_ = std::max(8 * median(usual), least_isolated * range);
+    same_ = same_line * range;
+    for (std::size_t count = 1; count < fewest_in_flat; ++count)
+      for (std::size_t i = 2; i + count + 1 < series.value.size(); ++i) look_at(i, count);
+    for (std::size_t i = 2; i < series.value.size();) {
+      const std::size_t count = of_one_value(i);
+      if (count >= fewest_in_flat && i + count + 1 < series.value.size()) look_at(i, count);
+      i += count;
+    }
+  }
+
+  Isolated found() {
+    double swing = 0;
+    for (const double one : without_mean(series_.value)) swing += std::abs(one);
+    told_.above = off_ > 0;
+    if (told_.count > 1 && highest_ - lowest_ <= same_) told_.value = highest_;
+    const auto samples = static_cast<double>(series_.value.size());
+    told_.hidden /= samples;
+    if (told_.hidden > 0 && told_.hidden >= least_isolated_share * swing / samples)
+      found_.told = told_;
+    return std::move(found_);
+  }
+
+ private:
+  // By which a sample leaves the line between two others.
+  double left(std::size_t i, std::size_t before, std::size_t after) const {
+    const std::vector<double>&time = series_.time, &value = series_.value;
     const double share = (time[i] - time[before]) / (time[after] - time[before]);
     return value[i] - std::lerp(value[before], value[after], share);
-  };
-  std::vector<double> usual;
-  for (std::size_t i = 1; i + 1 < value.size(); ++i)
-    usual.push_back(std::abs(left(i, i - 1, i + 1)));
-  const double least = std::max(8 * median(usual), least_isolated * range);
-  IsolatedReadings told{0, 0, 0};
-  double off = 0, largest = 0;
-  for (std::size_t count = 1; count < fewest_in_flat; ++count)
-    for (std::size_t i = 2; i + count + 1 < value.size(); ++i) {
-      const std::size_t before = i - 1, after = i + count;
-      const double apart =
-          std::min(std::abs(left(i, before, after)), std::abs(left(after - 1, before, after)));
-      const double beside = std::max(std::abs(left(before, before - 1, after)),
-                                     std::abs(left(after, before, after + 1)));
-      if (apart < least || apart < 5 * beside || found.is_isolated[i]) continue;
-      for (std::size_t k = i; k < after; ++k) {
-        found.is_isolated[k] = true;
-        off += left(k, before, after);
-        told.hidden += std::abs(left(k, before, after)) / static_cast<double>(value.size());
-      }
-      told.count += count;
-      if (apart > largest) told.time = time[i];
-      largest = std::max(largest, apart);
+  }
+
+  std::size_t of_one_value(std::size_t first) const {
+    std::size_t i = first;
+    while (i < series_.value.size() && std::abs(series_.value[i] - series_.value[first]) <= same_)
+      ++i;
+    return i - first;
+  }
+
+  void look_at(std::size_t i, std::size_t count) {
+    const std::size_t before = i - 1, after = i + count;
+    const double apart =
+        std::min(std::abs(left(i, before, after)), std::abs(left(after - 1, before, after)));
+    const double beside = std::max(std::abs(left(before, before - 1, after)),
+                                   std::abs(left(after, before, after + 1)));
+    if (apart < least_ || apart < 5 * beside || found_.is_isolated[i]) return;
+    for (std::size_t k = i; k < after; ++k) {
+      found_.is_isolated[k] = true;
+      off_ += left(k, before, after);
+      told_.hidden += std::abs(left(k, before, after));
+      highest_ = std::max(highest_, series_.value[k]);
+      lowest_ = std::min(lowest_, series_.value[k]);
     }
-  told.above = off > 0;
-  double swing = 0;
-  for (const double one : without_mean(value)) swing += std::abs(one);
-  if (told.hidden >= least_isolated_share * swing / static_cast<double>(value.size()))
-    found.told = told;
-  return found;
-}
+    told_.count += count;
+    if (apart > largest_) told_.time = series_.time[i];
+    largest_ = std::max(largest_, apart);
+  }
 
-}  // namespace
+  const TimeSeries& series_;
+  double least_ = 0, same_ = 0;
+  Isolated found_;
+  IsolatedReadings told_{0, 0, 0};
+  double off_ = 0, largest_ = 0;  // the sum, and the largest
+  double highest_ = -std::numeric_limits<double>::infinity(), lowest_ = -highest_;
+};
 
-SensorLimits sensor_limits(const TimeSeries& cut) {
+// What the samples of a series show inside of a window.
+SensorLimits limits_of(const TimeSeries& cut, TimeWindow window) {
   if (cut.value.empty()) return {};
   const double range = range_of(cut.value);
   if (!(range > 0)) return {};
   const std::optional<double> step = step_of(cut.value);
-  const Isolated isolated = isolated_readings(cut, range);
+  const Isolated isolated = IsolatedSearch(cut, range).found();
   const TimeSeries joined = without(isolated.is_isolated, cut);
   const auto [low, high] = std::minmax_element(joined.value.begin(), joined.value.end());
   const double height = *high - *low;
   return {range,
           step,
-          flat_extreme(joined, *high, height, step.value_or(0)),
-          flat_extreme(joined, *low, height, step.value_or(0)),
+          flat_extreme(joined, *high, height, step.value_or(0), window),
+          flat_extreme(joined, *low, height, step.value_or(0), window),
           step ? std::nullopt : sparse_readings(cut, range),
           step ? std::nullopt : isolated.told};
+}
+
+// The samples inside of a window; none where one of them is not finite.
+TimeSeries finite_part(const TimeSeries& whole, TimeWindow window) {
+  TimeSeries part{whole.name, whole.unit, {}, {}};
+  for (std::size_t i = 0; i < whole.time.size(); ++i) {
+    if (!(whole.time[i] >= window.begin && whole.time[i] <= window.end)) continue;
+    if (!std::isfinite(whole.value[i])) return {whole.name, whole.unit, {}, {}};
+    part.time.push_back(whole.time[i]);
+    part.value.push_back(whole.value[i]);
+  }
+  return part;
+}
+
+}  // namespace
+
+SensorLimits sensor_limits(const TimeSeries& whole, TimeWindow window) {
+  SensorLimits limits = limits_of(finite_part(whole, window), window);
+  const double length = window.end - window.begin;
+  for (const double around : {length, std::numeric_limits<double>::infinity()}) {
+    const SensorLimits wider =
+        limits_of(finite_part(whole, {window.begin - around, window.end + around}), window);
+    if (!limits.highest) limits.highest = wider.highest;
+    if (!limits.lowest) limits.lowest = wider.lowest;
+    const bool is_short = wider.sparse && length < 2 * fewest_readings * wider.sparse->interval;
+    if (!limits.sparse && !limits.step && is_short) limits.sparse = wider.sparse;
+  }
+  return limits;
 }
 
 }  // namespace slosh

@@ -31,11 +31,11 @@
 // is 1.5 % of the range or more: a lag of 2.5 degrees, or 3 % of a sine's amplitude. A crest that
 // is cut off and filtered afterwards is not seen.
 //
-// Isolated readings, as where an echo is lost: one or two samples leave the line between their
-// neighbours by a twentieth of the range or more, by 8 times what half the samples leave theirs by
-// or more, and by 5 times what these neighbours leave theirs by or more. They are told where all
-// samples are off by 1 % of the mean departure from the mean in the mean. Flats are sought without
-// them.
+// Isolated readings, as where an echo is lost: one or two samples, or more of one value, leave the
+// line between their neighbours by a twentieth of the range or more, by 8 times what half the
+// samples leave theirs by or more, and by 5 times what these neighbours leave theirs by or more.
+// They are told where all samples are off by 1 % of the mean departure from the mean in the mean.
+// Flats are sought without them.
 #pragma once
 
 #include <cstddef>
@@ -59,9 +59,10 @@ struct SparseReadings {
 
 struct IsolatedReadings {
   std::size_t count;
-  double time;         // of the one that leaves its neighbours most [s]
-  double hidden;       // by which a sample of the series is off in the mean
-  bool above = false;  // its neighbours; else below
+  double time;                       // of the one that leaves its neighbours most [s]
+  double hidden;                     // by which a sample of the series is off in the mean
+  bool above = false;                // their neighbours; else below
+  std::optional<double> value = {};  // of two or more of one value
 };
 
 struct SensorLimits {
@@ -72,8 +73,10 @@ struct SensorLimits {
   std::optional<IsolatedReadings> isolated = {};
 };
 
-// Requires a series that cut_to_window() has checked. Of more than 20000 samples every k-th serves
-// to find the levels.
-SensorLimits sensor_limits(const TimeSeries& cut);
+// What the readings hide inside of the window. A window that holds a part of a crest or few
+// readings does not show it, so that the window with as much on either side, and the whole series,
+// are asked too. Requires a series whose part in the window cut_to_window() has checked. Of more
+// than 20000 samples every k-th serves to find the levels.
+SensorLimits sensor_limits(const TimeSeries& whole, TimeWindow window);
 
 }  // namespace slosh

@@ -40,7 +40,8 @@ TEST(ReadingDoubts, AreOfReadingsThatAreHeldOrJoinedByLines) {
   }
 }
 
-// An impact is one too: a pressure that rises, and any load.
+// An impact is one too: a pressure that rises, and any load. Lost samples are of one value, which
+// is none at which the quantity rests.
 TEST(ReadingDoubts, TellSamplesThatLeaveTheirNeighboursUnlessTheyMayBeImpacts) {
   for (const auto& [unit, above, is_told] : {std::tuple{"m", true, true},
                                              {"m", false, true},
@@ -51,6 +52,11 @@ TEST(ReadingDoubts, TellSamplesThatLeaveTheirNeighboursUnlessTheyMayBeImpacts) {
     SensorLimits limits{100, {}, {}, {}};
     limits.isolated = IsolatedReadings{7, 1.5, 0.2, above};
     EXPECT_EQ(doubts_of_readings(readings(unit, limits)).size(), is_told ? 1U : 0U) << unit;
+    limits.isolated->value = 40;
+    EXPECT_EQ(doubts_of_readings(readings(unit, limits)).size(), 1U) << unit;
+    SensorReadings resting = readings(unit, limits);
+    resting.rests = {40};
+    EXPECT_EQ(doubts_of_readings(resting).size(), 0U) << unit;
   }
 }
 

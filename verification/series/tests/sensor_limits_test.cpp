@@ -12,6 +12,10 @@
 namespace slosh::sensor_limits_test {
 namespace {
 
+SensorLimits limits_of_all(const TimeSeries& series) {
+  return sensor_limits(series, {series.time.front(), series.time.back()});
+}
+
 constexpr double period = 1.37;
 
 double wave(double t) { return std::sin(two_pi / period * t + 0.4); }
@@ -22,7 +26,7 @@ TEST(SensorLimits, FindTheStepOfAnySensorOfFewLevels) {
   for (const double step : {1.0, 0.5, 0.13, 0.05, 0.025})
     for (const double interval : {0.001, 0.01, 0.05}) {
       const auto read = [&](double t) { return 0.3 + in_steps(wave(t), step); };
-      const SensorLimits found = sensor_limits(sampled(read, 0, 40, interval));
+      const SensorLimits found = limits_of_all(sampled(read, 0, 40, interval));
       ASSERT_TRUE(found.step) << step << " " << interval;
       EXPECT_NEAR(*found.step, step, 1e-9);
     }
@@ -31,13 +35,13 @@ TEST(SensorLimits, FindTheStepOfAnySensorOfFewLevels) {
 // Written with six digits, the levels are no exact multiples of the step.
 TEST(SensorLimits, FindTheStepOfRoundedLevels) {
   const auto read = [](double t) { return in_steps(in_steps(wave(t), 1.0 / 3), 1e-6); };
-  EXPECT_NEAR(sensor_limits(sampled(read, 0, 40)).step.value(), 1.0 / 3, 1e-5);
+  EXPECT_NEAR(limits_of_all(sampled(read, 0, 40)).step.value(), 1.0 / 3, 1e-5);
 }
 
 TEST(SensorLimits, DoNotDoubtFineStepsOrValuesThatRecurWithThePeriod) {
   for (const double step : {0.0199, 0.01, 1e-4, 1e-9})
     for (const double interval : {0.0005, 0.01, 0.05, period / 20, period / 10, period / 16}) {
-      const SensorLimits found = sensor_limits(
+      const SensorLimits found = limits_of_all(
           sampled([&](double t) { return in_steps(wave(t), step); }, 0, 40, interval));
       EXPECT_FALSE(found.step) << step << " " << interval;
       EXPECT_FALSE(found.highest) << step << " " << interval;
@@ -49,7 +53,7 @@ TEST(SensorLimits, MeasureWhatAClippedCrestHides) {
   for (const double cut : {0.05, 0.12, 0.3})
     for (const double interval : {0.001, 0.01, 0.02}) {
       const auto read = [&](double t) { return std::min(wave(t), 1 - cut); };
-      const SensorLimits found = sensor_limits(sampled(read, 0, 40, interval));
+      const SensorLimits found = limits_of_all(sampled(read, 0, 40, interval));
       ASSERT_TRUE(found.highest) << cut << " " << interval;
       EXPECT_NEAR(found.highest->hidden, cut, 0.35 * cut + 0.03) << interval;
       EXPECT_EQ(found.highest->value, 1 - cut);
@@ -59,19 +63,19 @@ TEST(SensorLimits, MeasureWhatAClippedCrestHides) {
 
 TEST(SensorLimits, FindAClippedTroughAndASingleClippedImpact) {
   EXPECT_TRUE(
-      sensor_limits(sampled([](double t) { return std::max(wave(t), -0.9); }, 0, 40)).lowest);
+      limits_of_all(sampled([](double t) { return std::max(wave(t), -0.9); }, 0, 40)).lowest);
   const auto impact = [](double t) {
     return std::min(3.0, 5 * std::exp(-(t - 7) * (t - 7) / 0.01));
   };
-  EXPECT_TRUE(sensor_limits(sampled(impact, 0, 10, 0.005)).highest);
+  EXPECT_TRUE(limits_of_all(sampled(impact, 0, 10, 0.005)).highest);
 }
 
 TEST(SensorLimits, DoNotTakeARestBeforeOrAfterTheMotionForACrest) {
   const auto front = [](double t) { return std::clamp(t - 2, 0.0, 3.0); };
-  const SensorLimits found = sensor_limits(sampled(front, 0, 8));
+  const SensorLimits found = limits_of_all(sampled(front, 0, 8));
   EXPECT_FALSE(found.highest);
   EXPECT_FALSE(found.lowest);
-  EXPECT_FALSE(sensor_limits(sampled([](double) { return 2.0; }, 0, 8)).step);
+  EXPECT_FALSE(limits_of_all(sampled([](double) { return 2.0; }, 0, 8)).step);
 }
 
 TEST(SensorLimits, FindAClippedCrestWhoseReadingsJitter) {
@@ -81,7 +85,7 @@ TEST(SensorLimits, FindAClippedCrestWhoseReadingsJitter) {
       const double cut = 0.9 - jitter * (count++ % 3);
       return std::min(wave(t), cut);
     };
-    EXPECT_TRUE(sensor_limits(sampled(read, 0, 40)).highest) << jitter;
+    EXPECT_TRUE(limits_of_all(sampled(read, 0, 40)).highest) << jitter;
   }
 }
 
@@ -90,8 +94,8 @@ TEST(SensorLimits, DoNotTakeARoundOrAPointedCrestForAFlat) {
     const auto pointed = [](double t) { return -std::abs(std::sin(t)); };
     for (const TimeSeries& one :
          {sampled(wave, 0, 12, interval), sampled(pointed, 0, 12, interval)}) {
-      EXPECT_FALSE(sensor_limits(one).highest) << interval;
-      EXPECT_FALSE(sensor_limits(one).lowest) << interval;
+      EXPECT_FALSE(limits_of_all(one).highest) << interval;
+      EXPECT_FALSE(limits_of_all(one).lowest) << interval;
     }
   }
 }
@@ -111,7 +115,7 @@ Told told(const Wave& of, double interval, double cut, double noise, double step
     std::mt19937 generator(seed);
     std::normal_distribution<double> normal;
     const double range = *high - *low;
-    const SensorLimits limits = sensor_limits(sampled(
+    const SensorLimits limits = limits_of_all(sampled(
         [&](double t) {
           const double value =
               std::min(of(t), *high - cut * range / 2) + noise * range * normal(generator);
@@ -163,7 +167,7 @@ TEST(SensorLimits, FindReadingsThatAreHeldOrJoinedByLines) {
   for (const double interval : {0.005, 0.02}) {
     for (const double sparse : {2 * interval, 0.1, 0.3}) {
       const auto reading = [&](double t) { return wave(std::floor(t / sparse + 1e-9) * sparse); };
-      const SensorLimits held = sensor_limits(sampled(reading, 0, 20, interval));
+      const SensorLimits held = limits_of_all(sampled(reading, 0, 20, interval));
       const bool matters = sparse > 0.02;  // a lag of 1.3 degrees
       ASSERT_EQ(held.sparse.has_value(), matters) << sparse << " " << interval;
       if (!matters) continue;
@@ -175,7 +179,7 @@ TEST(SensorLimits, FindReadingsThatAreHeldOrJoinedByLines) {
       const double begin = std::floor(t / sparse + 1e-9) * sparse;
       return std::lerp(wave(begin), wave(begin + sparse), (t - begin) / sparse);
     };
-    const SensorLimits joined = sensor_limits(sampled(line, 0, 20, interval));
+    const SensorLimits joined = limits_of_all(sampled(line, 0, 20, interval));
     ASSERT_TRUE(joined.sparse) << interval;
     EXPECT_FALSE(joined.sparse->held);
     EXPECT_NEAR(joined.sparse->interval, sparse, 1e-9);
@@ -189,14 +193,14 @@ TEST(SensorLimits, DoNotTakeFewOrLostSamplesARestOrASmoothWaveForSparseReadings)
   for (const double interval : {0.0001, 0.001, 0.01, 0.1, 0.3}) {
     TimeSeries series =
         sampled([](double t) { return t < 8 ? 0 : wave(t) - wave(8); }, 0, 20, interval);
-    EXPECT_FALSE(sensor_limits(series).sparse) << interval;
+    EXPECT_FALSE(limits_of_all(series).sparse) << interval;
     TimeSeries part{series.name, series.unit, {}, {}};
     for (std::size_t i = 0; i < series.time.size(); ++i)
       if (!lost(draw)) {
         part.time.push_back(series.time[i]);
         part.value.push_back(series.value[i]);
       }
-    EXPECT_FALSE(sensor_limits(part).sparse) << interval;
+    EXPECT_FALSE(limits_of_all(part).sparse) << interval;
   }
 }
 
@@ -211,7 +215,7 @@ TEST(SensorLimits, FindHeldAndJoinedReadingsInNoiseAndInAPartOfTheWindow) {
         const double at = t < begin_of_fine ? std::floor(t / 0.16 + 1e-9) * 0.16 : t;
         return wave(at) + noise * normal(generator);
       };
-      const SensorLimits found = sensor_limits(sampled(held, 0, 20, interval));
+      const SensorLimits found = limits_of_all(sampled(held, 0, 20, interval));
       ASSERT_TRUE(found.sparse) << noise << " " << begin_of_fine;
       EXPECT_TRUE(found.sparse->held);
       EXPECT_NEAR(found.sparse->interval, 0.16, 0.02);
@@ -222,7 +226,7 @@ TEST(SensorLimits, FindHeldAndJoinedReadingsInNoiseAndInAPartOfTheWindow) {
     const double begin = std::floor(t / 0.4 + 1e-9) * 0.4;
     return std::lerp(wave(begin), wave(begin + 0.4), (t - begin) / 0.4) + 2e-4 * normal(generator);
   };
-  EXPECT_TRUE(sensor_limits(sampled(line, 0, 20, interval)).sparse);
+  EXPECT_TRUE(limits_of_all(sampled(line, 0, 20, interval)).sparse);
 }
 
 // Of a wave, a wave between rests, and a wall's pressure that falls dry.
@@ -239,7 +243,7 @@ TEST(SensorLimits, DoNotTakeNoiseOrRestsForSparseReadings) {
           std::mt19937 generator(seed);
           std::normal_distribution<double> normal;
           const auto noisy = [&](double t) { return of(t) + noise * normal(generator); };
-          const SensorLimits found = sensor_limits(sampled(noisy, 0, 40, interval));
+          const SensorLimits found = limits_of_all(sampled(noisy, 0, 40, interval));
           EXPECT_FALSE(found.sparse) << interval << " " << noise;
           EXPECT_FALSE(found.isolated && !found.isolated->above) << interval << " " << noise;
         }
@@ -255,7 +259,7 @@ TEST(SensorLimits, FindIsolatedReadingsAndAClippedCrestBelowASpike) {
         const auto lost = [&](double t) {
           return ++count % every == 0 ? 0 : wave(t) + noise * normal(generator);
         };
-        const SensorLimits found = sensor_limits(sampled(lost, 0, 20, interval));
+        const SensorLimits found = limits_of_all(sampled(lost, 0, 20, interval));
         ASSERT_TRUE(found.isolated) << interval << " " << every << " " << noise;
         EXPECT_NEAR(found.isolated->hidden, 0.64 / every, 0.2 / every);
       }
@@ -267,12 +271,52 @@ TEST(SensorLimits, FindIsolatedReadingsAndAClippedCrestBelowASpike) {
       if (count > 700 && count <= 700 + length) return -1.3;
       return std::clamp(wave(t), -0.8, 0.8);
     };
-    const SensorLimits found = sensor_limits(sampled(spiked, 0, 20, 0.02));
+    const SensorLimits found = limits_of_all(sampled(spiked, 0, 20, 0.02));
     ASSERT_TRUE(found.highest && found.lowest) << length;
     EXPECT_EQ(found.highest->value, 0.8);
     EXPECT_EQ(found.lowest->value, -0.8);
     EXPECT_FALSE(found.isolated);  // of 1000 readings, too few to matter
   }
+}
+
+// An echo that is lost for several samples at a time reads one value.
+TEST(SensorLimits, FindSeveralLostSamplesInARow) {
+  for (const int length : {2, 3, 4, 8})
+    for (const double noise : {0.0, 0.01}) {
+      std::mt19937 generator(2);
+      std::normal_distribution<double> normal;
+      int count = 0;
+      const auto lost = [&](double t) {
+        return ++count % (10 * length) < length ? 0.1 : wave(t) + noise * normal(generator);
+      };
+      const SensorLimits found = limits_of_all(sampled(lost, 0, 20, 0.01));
+      ASSERT_TRUE(found.isolated) << length << " " << noise;
+      EXPECT_DOUBLE_EQ(found.isolated->value.value(), 0.1);
+      EXPECT_NEAR(found.isolated->hidden, 0.064, 0.02);
+    }
+}
+
+// A part of a run that holds one crest, a part of its flat or of the readings still shows them.
+TEST(SensorLimits, OfAPartOfTheRunAreThoseOfTheWholeRun) {
+  const TimeSeries clipped =
+      sampled([](double t) { return std::clamp(wave(t), -0.8, 0.8); }, 0, 20, 0.01);
+  const auto first = std::find(clipped.value.begin() + 600, clipped.value.end(), 0.8);
+  const double begin = 0.01 * static_cast<double>(first - clipped.value.begin());
+  for (const TimeWindow part : {TimeWindow{begin - 0.1, begin + 0.5},
+                                {begin - 0.8, begin + 0.2},
+                                {begin + 0.02, begin + 0.1},
+                                {begin + 0.1, begin + 0.9}}) {
+    const SensorLimits found = sensor_limits(clipped, part);
+    ASSERT_TRUE(found.highest) << part.begin << " " << part.end;
+    EXPECT_EQ(found.highest->value, 0.8);
+    EXPECT_LT(found.highest->begin, part.end);
+    EXPECT_GT(found.highest->end, part.begin);
+  }
+  EXPECT_FALSE(sensor_limits(clipped, {begin - 0.4, begin - 0.1}).highest);  // no crest inside
+  const TimeSeries held =
+      sampled([](double t) { return wave(std::floor(t / 0.1) * 0.1); }, 0, 20, 0.01);
+  EXPECT_TRUE(sensor_limits(held, {5, 5.5}).sparse);
+  EXPECT_FALSE(sensor_limits(sampled(wave, 0, 20, 0.01), {5, 5.5}).sparse);
 }
 
 }  // namespace
