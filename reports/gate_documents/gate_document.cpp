@@ -41,7 +41,8 @@ int badness(const GateEntry& entry) {
 }
 
 bool is_worth_a_line(const GateEntry& entry) {
-  return badness(entry) > 0 || (!entry.moved.empty() && entry.moved != "unmoved");
+  return badness(entry) > 0 || !entry.remarks.empty() ||
+         (!entry.moved.empty() && entry.moved != "unmoved");
 }
 
 using Xml = boost::property_tree::ptree;
@@ -63,6 +64,7 @@ Xml properties_of(const GateEntry& entry) {
   if (entry.upper) add_property(properties, "tolerance_upper", number(*entry.upper));
   add_property(properties, "unit", entry.unit);
   if (!entry.moved.empty()) add_property(properties, "since_baseline", entry.moved);
+  if (!entry.remarks.empty()) add_property(properties, "remarks", entry.remarks);
   return properties;
 }
 
@@ -142,7 +144,8 @@ std::string gate_markdown(const GateDocument& document) {
         "\n| verdict | kind | case | row | result | uncertainties | since the baseline |\n"
         "|---|---|---|---|---|---|---|\n" +
         lines;
-  if (passed > 0) text += fmt::format("\nRows that pass and have not changed: {}.\n", passed);
+  if (passed > 0)
+    text += fmt::format("\nRows that pass, have not changed and leave nothing open: {}.\n", passed);
   if (skipped > 0)
     text += fmt::format("\nRows that are not selected, or whose records are not supplied: {}.\n",
                         skipped);

@@ -33,6 +33,7 @@ struct GateEntry {
   bool loosened = false;               // the tolerance, against the baseline's
   std::string file;                    // of the row, relative to its repository where that is known
   int line = 0;
+  std::string remarks = {};  // what the message says that a reader must know of a row that passes
 };
 
 struct GateDocument {

@@ -72,6 +72,11 @@ std::vector<RunDefinition> ensemble_of(const RunDefinition& first, int repeats, 
   return members;
 }
 
+bool may_repeat(const RunDefinition& run) {
+  return std::holds_alternative<SphRun>(run.solver) ||
+         std::holds_alternative<InterFoamRun>(run.solver);
+}
+
 int start_seed(const RunDefinition& run) {
   RunDefinition copy = run;
   return seed_of(copy);

@@ -37,6 +37,9 @@ inline constexpr int most_repeats = 1000;
 // start_seed, start_seed + 1, ... Of a quick run the first quick_repeats are quick.
 std::vector<RunDefinition> ensemble_of(const RunDefinition& first, int repeats, int quick_repeats);
 
+// Returns whether the run's table takes the key `repeats`: it is of SPH or interFoam.
+bool may_repeat(const RunDefinition& run);
+
 // Returns the seed of an SPH or interFoam run. Throws std::bad_variant_access for any other.
 int start_seed(const RunDefinition& run);
 

@@ -269,18 +269,21 @@ Estimate CaseEvidence::corrected_p_value(const std::vector<std::string>& members
   return holm_corrected(family, 0);
 }
 
-// A run that is not sound keeps the row from passing. What it does later is no doubt of its start.
-RowDoubts CaseEvidence::doubts_of_runs(const GateRow& row) const {
+// A run that is not sound keeps the row from passing, whether the row names it or rests on it. What
+// it does later is no doubt of its start.
+RowDoubts CaseEvidence::doubts_of_runs(const GateRow& row, const std::set<std::string>& rests_on) {
   RowDoubts doubts;
-  for (const std::string& named : {row.candidate, row.reference, row.improves_on.value_or("")}) {
-    if (named.empty()) continue;
-    if (const std::string one = script_doubt(run_named(definition_, named), definition_);
-        !one.empty())
-      doubts.text += "; doubtful: " + one;
-    if (row.metric == Metric::initial_value) continue;
-    const std::string one = soundness_doubt(definition_, runs_, {named});
-    if (!one.empty()) doubts = {doubts.text + "; doubtful: " + one, true};
-  }
+  std::set<std::string> named{row.candidate, row.reference, row.improves_on.value_or("")};
+  named.erase("");
+  for (const std::string& one : named)
+    if (const std::string doubt = script_doubt(run_named(definition_, one), definition_);
+        !doubt.empty())
+      doubts.text += "; doubtful: " + doubt;
+  named.insert(rests_on.begin(), rests_on.end());
+  const std::string unsound = row.metric == Metric::initial_value
+                                  ? std::string()
+                                  : soundness_doubt(definition_, runs_, named);
+  if (!unsound.empty()) doubts = {doubts.text + "; doubtful: " + unsound, true};
   if (is_cost(row.metric)) doubts.text += left_out_as_compiling(definition_, runs_, row);
   return doubts;
 }
@@ -313,7 +316,8 @@ GateEvidence CaseEvidence::gate_evidence() {
                         definition_);
   };
   const FindEnsemble ensemble = [this](const std::string& run) {
-    return EnsembleOfRun{members_of(definition_, run), !is_simulation(run_named(definition_, run))};
+    const RunDefinition& first = run_named(definition_, run);
+    return EnsembleOfRun{members_of(definition_, run), !is_simulation(first), may_repeat(first)};
   };
   const MeasureRepeats repeats = [this](const std::vector<std::string>& members,
                                         const GateRow& row) {
@@ -344,7 +348,11 @@ GateEvidence CaseEvidence::gate_evidence() {
   const FindUncertainty uncertainty = [this, measures](const GateRow& row) {
     return row_uncertainty(definition_, runs_, row, measures);
   };
-  const DoubtRuns doubts = [this](const GateRow& row) { return doubts_of_runs(row); };
+  const DoubtRuns doubts = [this, cost](const GateRow& row) {
+    if (!is_cost(row.metric)) return doubts_of_runs(row, read_);
+    const std::vector<std::string> runs = cost(row).rests_on;
+    return doubts_of_runs(row, {runs.begin(), runs.end()});
+  };
   return {find,
           find_series,
           measure_impacts,

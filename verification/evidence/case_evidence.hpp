@@ -107,7 +107,7 @@ class CaseEvidence {
                       const std::string& quantity, const Moved& moved);
   std::vector<InputEffect> effects_of_inputs(const GateRow& row);
   Contribution input_contribution(const GateRow& row, double value);
-  RowDoubts doubts_of_runs(const GateRow& row) const;
+  RowDoubts doubts_of_runs(const GateRow& row, const std::set<std::string>& rests_on);
   const Estimate& of_repeats(const std::vector<std::string>& members, const GateRow& row);
   Estimate corrected_p_value(const std::vector<std::string>& members, const GateRow& row);
   const PreparedSeries& prepared(const std::string& role, const std::string& run,

@@ -182,7 +182,7 @@ TimeSeries moved_by(const TimeSeries& whole, const Prediction& by, TimeWindow wi
   const double shift = mean(change), scale = swing(moved) / swing(own);
   for (std::size_t i = 0; i < change.size(); ++i)
     moved.value[i] += shift + scale * (change[i] - shift);
-  return moved;
+  return with_part(whole, moved);
 }
 
 struct EffectMeasures {

@@ -105,11 +105,11 @@ double record_uncertainty(const GateRow& row, const TimeSeries& whole, const Com
   const auto change = [&](const std::vector<double>& shape, double by, double from) {
     TimeSeries moved = record;
     for (std::size_t i = 0; i < shape.size(); ++i) moved.value[i] += by * shape[i];
-    const double found = measure_with(row, row.reference, moved).value - from;
+    const double found = measure_with(row, row.reference, with_part(whole, moved)).value - from;
     return std::abs(is_angle(row.metric) ? std::remainder(found, 360) : found);
   };
   const std::vector<std::vector<double>> shapes = shapes_of_error(record);
-  const double own = measure_with(row, row.reference, record).value;
+  const double own = measure_with(row, row.reference, whole).value;
   double largest = 0;
   for (const std::vector<double>& shape : shapes)
     for (const double by : {-half_width, half_width}) {

@@ -181,7 +181,7 @@ TimeSeries on_the_line(const TimeSeries& finest, const TimeSeries& coarser, Time
   const auto begin = static_cast<std::size_t>(first - moved.time.begin());
   for (std::size_t i = 0; i < common.time.size(); ++i)
     moved.value[begin + i] += place * (common.candidate[i] - common.reference[i]);
-  return moved;
+  return with_part(finest, moved);
 }
 
 // The values as the header has them for a metric that is blind. Throws ComparisonError or

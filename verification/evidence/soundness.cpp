@@ -8,6 +8,8 @@
 #include <functional>
 #include <vector>
 
+#include "verification/case/judged_time.hpp"
+
 namespace slosh {
 namespace {
 
@@ -27,10 +29,14 @@ constexpr SoundnessLimit soundness_limits[] = {
     {"max_courant_number", "largest Courant number", 1}};
 constexpr double exempt_share = 0.05;  // of the samples: drops and impacts are short
 
-// The magnitude that the series exceeds for that share of its samples; NaN where one is NaN.
-double usual_largest(const TimeSeries& series) {
+// The magnitude that the series exceeds for that share of its samples inside of the window, or of
+// all where none lies inside; NaN where one is NaN.
+double usual_largest(const TimeSeries& series, TimeWindow window) {
   std::vector<double> magnitudes;
-  for (const double value : series.value) magnitudes.push_back(std::abs(value));
+  for (std::size_t i = 0; i < series.value.size(); ++i)
+    if (series.time[i] >= window.begin && series.time[i] <= window.end)
+      magnitudes.push_back(std::abs(series.value[i]));
+  if (magnitudes.empty()) return usual_largest(series, {series.time.front(), series.time.back()});
   const auto exempt =
       static_cast<std::ptrdiff_t>(exempt_share * static_cast<double>(magnitudes.size()));
   const bool has_nan = std::ranges::any_of(magnitudes, [](double one) { return std::isnan(one); });
@@ -38,12 +44,21 @@ double usual_largest(const TimeSeries& series) {
   return has_nan ? not_a_number : magnitudes[static_cast<std::size_t>(exempt)];
 }
 
+// Over the window, and over all the time that led to its end.
+double usual_largest_until_end(const TimeSeries& series, TimeWindow window) {
+  const double inside = usual_largest(series, window),
+               until = usual_largest(series, {series.time.front(), window.end});
+  return inside >= until || std::isnan(inside) ? inside : until;
+}
+
 std::string doubts_of(const CaseDefinition& definition, const RunResult& result) {
+  const TimeWindow window{definition.window_begin, definition.window_end};
   std::vector<std::string> doubts;
   for (const auto& [recorded, name, limit] : soundness_limits) {
     double value = 0;
     for (const TimeSeries& series : result.series)
-      if (series.name == recorded && !series.value.empty()) value = usual_largest(series);
+      if (series.name == recorded && !series.value.empty())
+        value = usual_largest_until_end(series, window);
     if (const auto fact = result.diagnostics.find(recorded); fact != result.diagnostics.end())
       value = fact->second;
     const bool has_scale = definition.gravity > 0 || recorded != std::string("tension_share");
@@ -59,9 +74,9 @@ std::string soundness_doubt(const CaseDefinition& definition, const CaseRuns& ru
                             const std::set<std::string>& named) {
   for (const RunDefinition& run : definition.runs) {
     const auto result = runs.results.find(run.name);
-    if (!named.contains(run.ensemble.empty() ? run.name : run.ensemble) ||
-        result == runs.results.end())
-      continue;
+    const bool is_named =
+        named.contains(run.name) || (!run.ensemble.empty() && named.contains(run.ensemble));
+    if (!is_named || result == runs.results.end()) continue;
     if (const std::string doubts = doubts_of(definition, result->second); !doubts.empty())
       return fmt::format("{} is not sound: {}", run.name, doubts);
   }
@@ -69,11 +84,13 @@ std::string soundness_doubt(const CaseDefinition& definition, const CaseRuns& ru
 }
 
 std::string doubtful_runs(const CaseDefinition& definition, const CaseRuns& runs) {
-  std::set<std::string> judged;
-  for (const GateRow& row : definition.gate)
-    judged.insert({row.candidate, row.reference, row.improves_on.value_or("")});
-  const std::string doubt = soundness_doubt(definition, runs, judged);
-  return doubt.empty() ? "" : fmt::format("doubtful: {}: {}", definition.name, doubt);
+  for (const GateRow& row : definition.gate) {
+    const std::string doubt =
+        soundness_doubt(judged_over(row, definition), runs,
+                        {row.candidate, row.reference, row.improves_on.value_or("")});
+    if (!doubt.empty()) return fmt::format("doubtful: {}: {}", definition.name, doubt);
+  }
+  return "";
 }
 
 }  // namespace slosh

@@ -12,13 +12,14 @@ namespace slosh {
 
 // "recommended_10mm is not sound: its Mach number but for 5 % of the time is 0.42, limit 0.2" of
 // the first such run of these names, all members of an ensemble; "" where all that have results are
-// sound. A run with a NaN is not. Without gravity the tension has no scale and is not judged. The
-// volume of the liquid and the log of OpenFOAM are checked as it runs: such a run fails
-// (openfoam_cases/run_case.hpp).
+// sound over the case's window and from their start to its end. A run with a NaN is not. Without
+// gravity the tension has no scale and is not judged. The volume of the liquid and the log of
+// OpenFOAM are checked as it runs: such a run fails (openfoam_cases/run_case.hpp).
 std::string soundness_doubt(const CaseDefinition& definition, const CaseRuns& runs,
                             const std::set<std::string>& named);
 
-// "doubtful: CASE: " and that of the runs that the case's rows judge; "" where they are sound.
+// "doubtful: CASE: " and that of the runs that the case's rows judge, each over the row's time; ""
+// where they are sound.
 std::string doubtful_runs(const CaseDefinition& definition, const CaseRuns& runs);
 
 }  // namespace slosh

@@ -250,7 +250,11 @@ std::optional<std::pair<Verdict, std::string>> obstacle_to(
 
 // When the largest magnitude occurs and over which time it is sought, of an ensemble that of its
 // highest member, and a larger one at another time.
-std::string place_text(const GateRow& row, const GateEvidence& evidence) {
+struct PlaceOfPeak {
+  std::string when, larger_outside;
+};
+
+PlaceOfPeak place_of_peak(const GateRow& row, const GateEvidence& evidence) {
   Peak peak{-1, not_a_number}, other{-1, not_a_number};
   TimeSeries series, whole;
   for (const std::string& run : ensemble_of(row.candidate, evidence).members) {
@@ -260,41 +264,42 @@ std::string place_text(const GateRow& row, const GateEvidence& evidence) {
     series = std::move(one);
     if (evidence.history) whole = evidence.history(run, row.quantity);
   }
-  if (series.time.empty()) return "";  // NaN
+  if (series.time.empty()) return {};  // NaN
   const double begin = series.time.front(), end = series.time.back();
   for (std::size_t i = 0; i < whole.time.size(); ++i)
     if (whole.time[i] >= begin && whole.time[i] <= end) whole.value[i] = 0;
   if (!whole.time.empty()) other = largest_of(whole);
-  const std::string text =
-      fmt::format("; at {:.4g} s of {:.4g} to {:.4g} s", peak.time, begin, end);
-  if (!(other.magnitude > peak.magnitude)) return text;
-  return text + fmt::format("; LARGER outside of that time: {} at {:.4g} s",
-                            in_unit(other.magnitude, row.unit), other.time);
+  PlaceOfPeak place{fmt::format("; at {:.4g} s of {:.4g} to {:.4g} s", peak.time, begin, end), ""};
+  if (other.magnitude > peak.magnitude)
+    place.larger_outside = fmt::format("; LARGER outside of that time: {} at {:.4g} s",
+                                       in_unit(other.magnitude, row.unit), other.time);
+  return place;
 }
 
-// What a row on a peak of the candidate says beside its value.
-std::string peak_text(const GateRow& row, const GateEvidence& evidence) {
-  const bool is_largest = row.metric == Metric::largest_magnitude;
+// A single impact scatters, and one run does not tell by how much.
+std::string single_run_text(const GateRow& row, const GateEvidence& evidence) {
   const bool is_peak = row.metric == Metric::impact_peak_error ||
                        row.metric == Metric::impulse_error ||
-                       (is_largest && find_quantity(row.quantity));
+                       (row.metric == Metric::largest_magnitude && find_quantity(row.quantity));
   const EnsembleOfRun runs = ensemble_of(row.candidate, evidence);
-  return (is_largest ? place_text(row, evidence) : "") +
-         (is_peak && !runs.exact && runs.members.size() == 1
-              ? "; single run: `repeats` of " + row.candidate + " tell how its peaks scatter"
-              : "");
+  if (!is_peak || runs.exact || runs.members.size() != 1) return "";
+  return runs.may_repeat
+             ? "; single run: `repeats` of " + row.candidate + " tell how its peaks scatter"
+             : "; single run: how its peaks scatter is not known";
 }
 
 // What the samples and the runs leave open.
-void add_doubts(const GateEvidence& evidence, GateOutcome& outcome) {
-  std::vector<RowDoubts> doubts{doubts_of_samples(outcome.row, evidence)};
+void add_remarks(const std::string& larger_outside, const GateEvidence& evidence,
+                 GateOutcome& outcome) {
+  std::vector<RowDoubts> doubts{{larger_outside}, doubts_of_samples(outcome.row, evidence)};
   if (evidence.doubts_of_runs) doubts.push_back(evidence.doubts_of_runs(outcome.row));
   for (const RowDoubts& one : doubts) {
-    outcome.message += one.text;
+    outcome.remarks += one.text;
     if (one.keep_from_passing && outcome.verdict == Verdict::pass &&
         outcome.row.kind != RowKind::regression)
       outcome.verdict = Verdict::inconclusive;
   }
+  outcome.message += outcome.remarks;
 }
 
 }  // namespace
@@ -341,8 +346,10 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
     const Estimate value = measured(row, evidence);
     GateOutcome outcome = row.improves_on ? judge_improvement(row, value, evidence)
                                           : judge_bound(row, value, evidence);
-    outcome.message += peak_text(row, evidence);
-    add_doubts(evidence, outcome);
+    const PlaceOfPeak place =
+        row.metric == Metric::largest_magnitude ? place_of_peak(row, evidence) : PlaceOfPeak{};
+    outcome.message += place.when + single_run_text(row, evidence);
+    add_remarks(place.larger_outside, evidence, outcome);
     if (row.kind == RowKind::regression) outcome.message += " (regression)";
     return outcome;
   } catch (const NotSuppliedError& error) {

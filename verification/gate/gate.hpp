@@ -99,6 +99,9 @@ struct GateOutcome {
   std::optional<ThreeWayOutcome> judgement = {};
   // The runs that the verdict and its interval were measured with.
   std::set<std::string> measured_with = {};
+  // The part of the message that a reader must know of a row that passes too, "; doubtful: ..."
+  // and "; LARGER outside of that time: ...".
+  std::string remarks = {};
 };
 
 // The range in which the metric of a row with a limit or a range must lie, in the row's unit. A

@@ -59,7 +59,8 @@ using FindUncertainty = std::function<UncertaintyContributions(const GateRow& ro
 // whose first member it is.
 struct EnsembleOfRun {
   std::vector<std::string> members;
-  bool exact = false;  // theory or a record: repeats would not differ
+  bool exact = false;       // theory or a record: repeats would not differ
+  bool may_repeat = false;  // its table takes the key `repeats`
 };
 using FindEnsemble = std::function<EnsembleOfRun(const std::string& run)>;
 

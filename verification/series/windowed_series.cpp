@@ -75,6 +75,13 @@ TimeSeries cut_to_window(const TimeSeries& series, TimeWindow window) {
           .value = {value_at(first), value_at(last)}};
 }
 
+TimeSeries with_part(TimeSeries whole, const TimeSeries& part) {
+  const auto first = std::lower_bound(whole.time.begin(), whole.time.end(), part.time.front());
+  std::copy(part.value.begin(), part.value.end(),
+            whole.value.begin() + (first - whole.time.begin()));
+  return whole;
+}
+
 double median_sample_interval(const std::vector<double>& times) {
   const std::size_t stride = times.size() / 20000 + 1;
   std::vector<double> intervals;

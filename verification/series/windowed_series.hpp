@@ -17,6 +17,10 @@ namespace slosh {
 // samples lie inside.
 TimeSeries cut_to_window(const TimeSeries& series, TimeWindow window);
 
+// The series with the values of a part that cut_to_window() made of it: measured over the window,
+// it covers as much of it as the series does.
+TimeSeries with_part(TimeSeries whole, const TimeSeries& part);
+
 // The median time between two neighbours of at least two times [s]. Of more than 20000 every k-th
 // interval counts.
 double median_sample_interval(const std::vector<double>& times);

@@ -101,9 +101,19 @@ TEST(GateDocument, ListsInMarkdownWhatIsNotSimplyAPassAndCountsTheRest) {
   EXPECT_LT(at("**not compared**"), at("**inconclusive**"));
   EXPECT_LT(at("unsure"), at("tolerance loosened"));
   EXPECT_EQ(at("| fine"), text.npos);
-  EXPECT_NE(at("\nRows that pass and have not changed: 1.\n"), text.npos);
+  EXPECT_NE(at("\nRows that pass, have not changed and leave nothing open: 1.\n"), text.npos);
   EXPECT_NE(at("\nRows that are not selected, or whose records are not supplied: 1.\n"), text.npos);
   EXPECT_NE(at("3 % is not &lt;= 1 % \\| at all"), text.npos);  // the bar would end the cell
+}
+
+TEST(GateDocument, ShowsARowThatPassesButLeavesSomethingOpen) {
+  GateDocument gate = document();
+  for (GateEntry& entry : gate.entries)
+    if (entry.name == "fine") entry.remarks = "doubtful: the candidate stays at its highest value";
+  EXPECT_NE(gate_markdown(gate).find("| fine"), std::string::npos);
+  EXPECT_EQ(gate_markdown(gate).find("leave nothing open"), std::string::npos);
+  EXPECT_NE(junit_xml(gate).find("\"doubtful: the candidate stays at its highest value\""),
+            std::string::npos);
 }
 
 TEST(GateDocument, TellsOfRunsThatAreNotSoundBelowItsHeadlineAndInTheirSuite) {

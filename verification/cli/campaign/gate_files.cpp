@@ -92,6 +92,7 @@ reports::GateEntry entry_of(const CaseAssessment& assessment, const GateOutcome&
   entry.uncertainty = outcome.value.half_width;
   if (outcome.judgement)
     entry.uncertainties = uncertainties_text(*outcome.judgement, outcome.row.unit);
+  if (outcome.remarks.starts_with("; ")) entry.remarks = outcome.remarks.substr(2);
   add_movement(row_name(group, outcome.row), findings, entry);
   return entry;
 }

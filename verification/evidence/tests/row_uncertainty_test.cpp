@@ -376,6 +376,25 @@ TEST(RowUncertainty, OfARecordReachesAsFarAsTheRecordMayBeOff) {
 }
 
 // Of a quantity whose modes nobody fits, samples between which the wave turns.
+// The sample nearest to the window's begin is lost, and the record covers the window beside it.
+TEST(RowUncertainty, OfARecordThatLostTheSamplesAtTheWindowsBeginIsKnown) {
+  for (const Metric metric : {Metric::rms_error, Metric::normalised_rms, Metric::mean_offset}) {
+    OfARecord row(metric, "whole", metric == Metric::mean_offset ? "m" : "1", 0.5, 0.01);
+    for (const char* run : {"record", "particles"}) {
+      TimeSeries& series = row.runs.results.at(run).series.at(0);
+      const auto first = std::lower_bound(series.time.begin(), series.time.end(),
+                                          row.definition.window_begin - 1e-9) -
+                         series.time.begin();
+      series.time.erase(series.time.begin() + first, series.time.begin() + first + 2);
+      series.value.erase(series.value.begin() + first, series.value.begin() + first + 2);
+    }
+    const UncertaintyContributions found = row.contributions();
+    EXPECT_TRUE(found.reference.half_width) << metric_name(metric) << found.reference.basis;
+    EXPECT_TRUE(found.discretisation.half_width)
+        << metric_name(metric) << found.discretisation.basis;
+  }
+}
+
 TEST(RowUncertainty, OfACoarseCandidateWithoutModesIsDoubted) {
   for (const std::size_t every : {1, 2, 20}) {
     OfARecord row(Metric::rms_error, "whole", "1", 0.99, 0.01);

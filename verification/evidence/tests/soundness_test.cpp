@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "verification/evidence/tests/row_of_a_record.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/tests/surge_results.hpp"
 
@@ -65,6 +66,34 @@ TEST_F(Soundness, IsNotDoubtedOfAFewFastDropsAndShortImpacts) {
   forget();
   record("mach_number", 0.1, 0.4, 6);
   EXPECT_NE(doubt_of("particles"), "");
+}
+
+// What exceeds its limit for 5 % of the run may last for all of a row's part; what spoilt the
+// liquid before the part belongs to it, what comes later does not.
+TEST_F(Soundness, IsThatOfTheTimeOfTheRowAndOfAllThatLedToIt) {
+  record("mach_number", 0.1, 0.4, 5);
+  const auto doubt_over = [&](double begin, double end) {
+    definition.window_begin = begin;
+    definition.window_end = end;
+    return doubt_of("particles");
+  };
+  EXPECT_NE(doubt_over(0, 1), "");
+  EXPECT_NE(doubt_over(1.1, 2), "");
+  EXPECT_EQ(doubt_over(10, 20), "");
+  forget();
+  record("mach_number", 0.4, 0.1, 50);  // from 10 s on
+  EXPECT_EQ(doubt_over(1, 9), "");
+}
+
+// The coarse run is named by the refinement alone.
+TEST_F(Soundness, OfARunThatTheRowRestsOnKeepsItFromPassing) {
+  OfARecord row(Metric::rms_error, "whole", "1", 0.5, 0.01);
+  row.definition.inputs = {{Input::amplitude, 1e-6, "a guess"}};
+  EXPECT_EQ(row.judged().verdict, Verdict::pass) << row.judged().message;
+  row.runs.results.at("coarse_particles").diagnostics = {{"mach_number", 0.4}};
+  EXPECT_NE(row.judged().message.find("coarse_particles is not sound"), std::string::npos)
+      << row.judged().message;
+  EXPECT_EQ(row.judged().verdict, Verdict::inconclusive);
 }
 
 TEST_F(Soundness, OfAMeshIsItsCourantNumber) {

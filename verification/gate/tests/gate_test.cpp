@@ -983,10 +983,12 @@ class GateOnALoad : public ::testing::Test {
     evidence.series = [&](const auto&, const auto&) { return cut_to_window(whole, over); };
     evidence.history = [&](const auto&, const auto&) { return whole; };
     evidence.sample_interval = 0.01;
+    evidence.ensemble = [&](const auto& run) { return EnsembleOfRun{{run}, false, may_repeat}; };
     return evaluate(row, {{"sph", {RunState::finished, ""}}}, evidence);
   }
 
   GateRow row = row_of(Metric::largest_magnitude, "whole", "N/m", 60);
+  bool may_repeat = false;
 };
 
 TEST_F(GateOnALoad, TellsWhenThePeakIsAndThatALargerOneLiesOutsideOfItsTime) {
@@ -996,13 +998,16 @@ TEST_F(GateOnALoad, TellsWhenThePeakIsAndThatALargerOneLiesOutsideOfItsTime) {
   const GateOutcome later = judge(load(90), {5, 10});
   EXPECT_EQ(later.value.value, 30);
   EXPECT_EQ(later.verdict, Verdict::pass);
-  EXPECT_NE(later.message.find("; LARGER outside of that time: 119 N/m at 1.2 s"),
+  EXPECT_NE(later.remarks.find("; LARGER outside of that time: 119 N/m at 1.2 s"),
             std::string::npos)
-      << later.message;
+      << later.remarks;
   EXPECT_EQ(judge(load(0), {5, 10}).message.find("LARGER"), std::string::npos);
 }
 
 TEST_F(GateOnALoad, SaysSingleRunWhereNoRunRepeatsIt) {
+  EXPECT_NE(judge(load(20), {0, 10}).message.find("; single run: how its peaks scatter is not"),
+            std::string::npos);
+  may_repeat = true;
   const char* says = "; single run: `repeats` of sph tell how its peaks scatter";
   EXPECT_NE(judge(load(20), {0, 10}).message.find(says), std::string::npos);
   row.quantity = "mach_number";
