@@ -41,8 +41,7 @@ int badness(const GateEntry& entry) {
 }
 
 bool is_worth_a_line(const GateEntry& entry) {
-  return badness(entry) > 0 || !entry.remarks.empty() ||
-         (!entry.moved.empty() && entry.moved != "unmoved");
+  return badness(entry) > 0 || !entry.remarks.empty() || !entry.moved.empty();
 }
 
 using Xml = boost::property_tree::ptree;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "verification/case/judged_time.hpp"
@@ -68,29 +69,43 @@ std::string doubts_of(const CaseDefinition& definition, const RunResult& result)
   return fmt::format("{}", fmt::join(doubts, ", "));
 }
 
+// Adds the doubts of the runs of these names by name, of an ensemble those of the first that has
+// any, unless they are told already.
+void add_unsound(const CaseDefinition& definition, const CaseRuns& runs,
+                 const std::set<std::string>& named,
+                 std::vector<std::pair<std::string, std::string>>& told) {
+  for (const RunDefinition& run : definition.runs) {
+    const auto result = runs.results.find(run.name);
+    const std::string& group = run.ensemble.empty() ? run.name : run.ensemble;
+    const bool is_named = named.contains(run.name) || named.contains(group);
+    const bool is_told = std::ranges::any_of(told, [&](auto& one) { return one.first == group; });
+    if (!is_named || is_told || result == runs.results.end()) continue;
+    if (const std::string doubts = doubts_of(definition, result->second); !doubts.empty())
+      told.emplace_back(group, fmt::format("{} is not sound: {}", run.name, doubts));
+  }
+}
+
+std::string joined(const std::vector<std::pair<std::string, std::string>>& told) {
+  std::string text;
+  for (const auto& [run, doubt] : told) text += (text.empty() ? "" : "; ") + doubt;
+  return text;
+}
+
 }  // namespace
 
 std::string soundness_doubt(const CaseDefinition& definition, const CaseRuns& runs,
                             const std::set<std::string>& named) {
-  for (const RunDefinition& run : definition.runs) {
-    const auto result = runs.results.find(run.name);
-    const bool is_named =
-        named.contains(run.name) || (!run.ensemble.empty() && named.contains(run.ensemble));
-    if (!is_named || result == runs.results.end()) continue;
-    if (const std::string doubts = doubts_of(definition, result->second); !doubts.empty())
-      return fmt::format("{} is not sound: {}", run.name, doubts);
-  }
-  return "";
+  std::vector<std::pair<std::string, std::string>> told;
+  add_unsound(definition, runs, named, told);
+  return joined(told);
 }
 
 std::string doubtful_runs(const CaseDefinition& definition, const CaseRuns& runs) {
-  for (const GateRow& row : definition.gate) {
-    const std::string doubt =
-        soundness_doubt(judged_over(row, definition), runs,
-                        {row.candidate, row.reference, row.improves_on.value_or("")});
-    if (!doubt.empty()) return fmt::format("doubtful: {}: {}", definition.name, doubt);
-  }
-  return "";
+  std::vector<std::pair<std::string, std::string>> told;
+  for (const GateRow& row : definition.gate)
+    add_unsound(judged_over(row, definition), runs,
+                {row.candidate, row.reference, row.improves_on.value_or("")}, told);
+  return told.empty() ? "" : fmt::format("doubtful: {}: {}", definition.name, joined(told));
 }
 
 }  // namespace slosh

@@ -11,10 +11,10 @@
 namespace slosh {
 
 // "recommended_10mm is not sound: its Mach number but for 5 % of the time is 0.42, limit 0.2" of
-// the first such run of these names, all members of an ensemble; "" where all that have results are
-// sound over the case's window and from their start to its end. A run with a NaN is not. Without
-// gravity the tension has no scale and is not judged. The volume of the liquid and the log of
-// OpenFOAM are checked as it runs: such a run fails (openfoam_cases/run_case.hpp).
+// each such run of these names, of an ensemble its first, joined by "; "; "" where all that have
+// results are sound over the case's window and from their start to its end. A run with a NaN is
+// not. Without gravity the tension has no scale and is not judged. The volume of the liquid and the
+// log of OpenFOAM are checked as it runs: such a run fails (openfoam_cases/run_case.hpp).
 std::string soundness_doubt(const CaseDefinition& definition, const CaseRuns& runs,
                             const std::set<std::string>& named);
 

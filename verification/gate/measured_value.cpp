@@ -133,6 +133,16 @@ Estimate cost_value(const CostAtError& found) {
   return {found.cost, found.cost * std::expm1(found.cost_spread)};
 }
 
+// Whether the largest sample is more than twice one of its neighbours: such a peak lasts for about
+// a sample, and none of them need be at its top.
+bool is_sharp(const std::vector<double>& value) {
+  const auto larger = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto i = std::max_element(value.begin(), value.end(), larger) - value.begin();
+  if (i == 0 || i + 1 == std::ssize(value)) return false;
+  const auto at = [&](std::ptrdiff_t k) { return std::abs(value[static_cast<std::size_t>(k)]); };
+  return std::min(at(i - 1), at(i + 1)) < at(i) / 2;
+}
+
 // Returns by how much the crest may exceed the largest sample: a parabola through this sample and
 // its neighbours exceeds it by no more than an eighth of their second difference.
 double above_largest(const std::vector<double>& value) {
@@ -320,16 +330,24 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence, R
             "between the samples of the candidate it may be {:.2g} {} more", above, series.unit));
     }
     if (!is_compared) continue;
+    const bool is_largest = row.metric == Metric::largest_magnitude;
+    if (is_largest && !row.improves_on && is_sharp(series.value))
+      doubts.push_back("the candidate's peak lasts for about a sample, and may be higher between");
     const bool is_smoothed = evidence.readings && is_filtered(row.quantity);
     const FindHistory& whole = is_smoothed ? evidence.readings : evidence.history;
     SensorReadings readings{"candidate", series.unit,
                             sensor_limits(whole ? whole(run, row.quantity) : series,
                                           {series.time.front(), series.time.back()})};
-    // A series that rests at its lowest value, as at zero, is not cut off there.
-    if (std::optional<FlatExtreme>& lowest = readings.limits.lowest;
-        lowest && (row.metric != Metric::largest_magnitude ||
-                   std::abs(lowest->value) + lowest->hidden <= largest_of(series).magnitude))
-      lowest.reset();
+    // A peak may be cut off: the other crests, and a series that rests at its lowest value, as at
+    // zero, are none. What a flat hides is known to a factor of two.
+    const auto matters = [&](const FlatExtreme& flat) {
+      const double height = std::abs(flat.value);
+      return height + flat.hidden > largest_of(series).magnitude &&
+             (row.improves_on || height + 2 * flat.hidden > bounds_of(row).second);
+    };
+    std::optional<FlatExtreme>&highest = readings.limits.highest, &lowest = readings.limits.lowest;
+    if (is_largest && highest && !matters(*highest)) highest.reset();
+    if (lowest && (!is_largest || !matters(*lowest))) lowest.reset();
     std::ranges::move(doubts_of_readings(readings), std::back_inserter(doubts));
     if (readings.limits.step && are_coarse_for(row, readings, 0))
       doubts.push_back(step_doubt(readings));

@@ -35,7 +35,7 @@ void add_flat(const SensorReadings& of, const FlatExtreme& flat, const char* whi
 
 std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
   std::vector<std::string> doubts;
-  const auto& [range, step, highest, lowest, sparse, isolated] = of.limits;
+  const auto& [range, step, highest, lowest, sparse, isolated, roughness] = of.limits;
   // A pressure rests at its lowest value alone.
   if (highest && (of.unit == "Pa" || !may_rest(highest->value, of)))
     add_flat(of, *highest, "highest", doubts);
@@ -54,6 +54,11 @@ std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
         "{} samples of the {} leave their neighbours alone, as at {:.4g} s: a value is off by some "
         "{:.2g} {} in the mean",
         isolated->count, of.role, isolated->time, isolated->hidden, of.unit));
+  if (roughness)
+    doubts.push_back(fmt::format(
+        "half of the samples of the {} leave their neighbours by {:.2g} of its deviation, as where "
+        "two signals alternate",
+        of.role, *roughness));
   return doubts;
 }
 

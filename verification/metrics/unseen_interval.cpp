@@ -11,6 +11,8 @@ namespace {
 
 constexpr double least_departure = 0.05, least_gap = 10, least_recorded_gap = 3,
                  resolved_share = 0.01;
+// The largest of ten thousand departures of white noise is some 6 of their medians.
+constexpr double of_noises_largest = 8;
 // [median intervals] Through every second sample a reference resolves itself.
 constexpr double longest_resolved = 2;
 
@@ -99,7 +101,9 @@ std::optional<UnseenInterval> unseen_by_reference(const TimeSeries& candidate,
   const std::vector<double> apart = minus(interpolate(seen, candidate.time), candidate.value);
   const auto largest = std::max_element(
       apart.begin(), apart.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-  if (std::abs(*largest) > least_departure * largest_magnitude(without_mean(candidate.value))) {
+  const double of_noise = of_noises_largest * median(departures_from_neighbours(candidate));
+  if (std::abs(*largest) > of_noise &&
+      std::abs(*largest) > least_departure * largest_magnitude(without_mean(candidate.value))) {
     const std::size_t place = intervals_of(
         candidate.time, common.time)[static_cast<std::size_t>(largest - apart.begin())];
     return UnseenInterval{common.time[place - 1], common.time[place], std::abs(*largest)};

@@ -22,10 +22,10 @@ struct UnseenInterval {
 };
 
 // The interval of the candidate's largest departure, where that exceeds a twentieth of its largest
-// departure from its mean; else the reference's longest gap; or the candidate's longest gap, where
-// the departure is larger; nullopt where there is none. A gap is an interval of more than ten
-// median ones in which the other series has a sample that is more than a median from both ends.
-// `common` are the samples at the reference's times.
+// departure from its mean, and what white noise of the candidate explains; else the reference's
+// longest gap; or the candidate's longest gap, where the departure is larger; nullopt where there
+// is none. A gap is an interval of more than ten median ones in which the other series has a sample
+// that is more than a median from both ends. `common` are the samples at the reference's times.
 std::optional<UnseenInterval> unseen_interval(const TimeSeries& candidate,
                                               const CommonSamples& common);
 

@@ -24,6 +24,7 @@ constexpr double standard_errors = 2.5;
 constexpr double same_line = 1e-5;             // of the range, by rounding
 constexpr double least_isolated = 0.05;        // of the range
 constexpr double least_isolated_share = 0.01;  // of the mean departure from the mean
+constexpr double least_rough = 0.4;            // of the standard deviation
 constexpr std::size_t fewest_readings = 6;
 constexpr std::size_t most_sampled = 20000, fewest_in_flat = 3, fewest_fitted = 6;
 
@@ -249,10 +250,7 @@ class IsolatedSearch {
   IsolatedSearch(const TimeSeries& series, double range) : series_(series) {
     found_.is_isolated.resize(series.value.size());
     if (series.value.size() < fewest_readings) return;
-    std::vector<double> usual;
-    for (std::size_t i = 1; i + 1 < series.value.size(); ++i)
-      usual.push_back(std::abs(left(i, i - 1, i + 1)));
-    least_ = std::max(8 * median(usual), least_isolated * range);
+    least_ = std::max(8 * median(departures_from_neighbours(series)), least_isolated * range);
     same_ = same_line * range;
     for (std::size_t count = 1; count < fewest_in_flat; ++count)
       for (std::size_t i = 2; i + count + 1 < series.value.size(); ++i) look_at(i, count);
@@ -317,6 +315,12 @@ class IsolatedSearch {
   double highest_ = -std::numeric_limits<double>::infinity(), lowest_ = -highest_;
 };
 
+std::optional<double> roughness_of(const TimeSeries& cut) {
+  if (cut.value.size() < fewest_readings) return std::nullopt;
+  const double roughness = median(departures_from_neighbours(cut)) / rms(without_mean(cut.value));
+  return roughness >= least_rough ? std::optional(roughness) : std::nullopt;
+}
+
 // What the samples of a series show inside of a window.
 SensorLimits limits_of(const TimeSeries& cut, TimeWindow window) {
   if (cut.value.empty()) return {};
@@ -332,7 +336,8 @@ SensorLimits limits_of(const TimeSeries& cut, TimeWindow window) {
           flat_extreme(joined, *high, height, step.value_or(0), window),
           flat_extreme(joined, *low, height, step.value_or(0), window),
           step ? std::nullopt : sparse_readings(cut, range),
-          step ? std::nullopt : isolated.told};
+          step ? std::nullopt : isolated.told,
+          roughness_of(cut)};
 }
 
 // The samples inside of a window; none where one of them is not finite.

@@ -71,6 +71,7 @@ struct SensorLimits {
   std::optional<FlatExtreme> highest, lowest;
   std::optional<SparseReadings> sparse = {};
   std::optional<IsolatedReadings> isolated = {};
+  std::optional<double> roughness = {};  // of rough readings: that share of the deviation
 };
 
 // What the readings hide inside of the window. A window that holds a part of a crest or few

@@ -90,6 +90,16 @@ double median_sample_interval(const std::vector<double>& times) {
   return median(std::move(intervals));
 }
 
+std::vector<double> departures_from_neighbours(const TimeSeries& series) {
+  const auto& [name, unit, time, value] = series;
+  std::vector<double> departures;
+  for (std::size_t i = 1; i + 1 < value.size(); ++i) {
+    const double share = (time[i] - time[i - 1]) / (time[i + 1] - time[i - 1]);
+    departures.push_back(std::abs(value[i] - std::lerp(value[i - 1], value[i + 1], share)));
+  }
+  return departures;
+}
+
 bool is_constant(const TimeSeries& series) {
   const auto [low, high] = std::minmax_element(series.value.begin(), series.value.end());
   const double rounding = 1e-12 * std::max(std::abs(*low), std::abs(*high));

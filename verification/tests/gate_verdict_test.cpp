@@ -171,6 +171,18 @@ TEST_F(GateVerdict, IsNotTakenFromAFileOfAnEarlierStart) {
   EXPECT_FALSE(fs::exists(directory() / "out/standing.json") && cached.empty());
 }
 
+// Two rows of one name are one to a ledger.
+TEST_F(GateVerdict, IsOfRowsWithNamesOfTheirOwn) {
+  std::string row = own_row("rms_error", "0.05");
+  const auto over = [&](const char* end) {
+    return row + "part_begin_s = 1.0\npart_end_s = " + end + "\n";
+  };
+  write_campaign(own_case + over("5.0") + over("5.0000001"));
+  const Ended ended = gate();
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_TRUE(holds(ended.err, "expected one row of the name")) << ended.err;
+}
+
 TEST_F(GateVerdict, NamesTheRowsThatWereLostAndEndsWithFiveUntilTheyAreApproved) {
   ASSERT_EQ(campaign().status, 0);
   approve({"--new"});

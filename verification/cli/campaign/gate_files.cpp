@@ -77,7 +77,10 @@ void add_movement(const std::string& row, const GateFindings& findings, reports:
   if (moved == findings.movements.end()) return;
   entry.lower = moved->after->lower;
   entry.upper = moved->after->upper;
-  if (findings.has_baseline) entry.moved = movement_text(*moved);
+  const bool is_bad =
+      entry.outcome != GateOutcomeKind::pass && entry.outcome != GateOutcomeKind::skipped;
+  const bool is_told = moved->has_changed() || is_bad;
+  if (findings.has_baseline && is_told) entry.moved = movement_text(*moved);
   entry.loosened = moved->loosened;
   if (moved->loses_validation() && entry.outcome == GateOutcomeKind::pass)
     entry.outcome = GateOutcomeKind::lost;

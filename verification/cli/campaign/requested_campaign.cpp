@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -51,6 +52,15 @@ void require_windows(const CaseDefinition& definition) {
     if (row.part && row.metric != Metric::largest_magnitude && has_modes(row.quantity))
       require({row.part->first, row.part->second},
               fmt::format("{}:{}: part_begin_s: ", row.where.file, row.where.line));
+}
+
+// Ledgers and documents know a row by its name, which gives its numbers in few digits.
+void require_names_apart(const CaseDefinition& definition) {
+  std::set<std::string> names;
+  for (const GateRow& row : definition.gate)
+    if (const std::string name = row_name(row); !names.insert(name).second)
+      throw CaseFileError(fmt::format("{}:{}: gate: expected one row of the name '{}'",
+                                      row.where.file, row.where.line, name));
 }
 
 void require_timed_runs(const CampaignDefinition& campaign,
@@ -155,6 +165,7 @@ void require_runnable(const std::vector<CaseDefinition>& cases) {
   Complaints complaints;
   for (const CaseDefinition& definition : cases) {
     complaints.allow([&] { require_windows(definition); });
+    complaints.allow([&] { require_names_apart(definition); });
     for (const RunDefinition& run : definition.runs)
       complaints.allow([&] { require_runnable(definition, run); });
   }

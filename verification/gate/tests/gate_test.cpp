@@ -1004,6 +1004,29 @@ TEST_F(GateOnALoad, TellsWhenThePeakIsAndThatALargerOneLiesOutsideOfItsTime) {
   EXPECT_EQ(judge(load(0), {5, 10}).message.find("LARGER"), std::string::npos);
 }
 
+// An impact of 15 ms on samples of 10 ms: its top may lie between them.
+TEST_F(GateOnALoad, DoubtsAPeakThatLastsForASample) {
+  row.limit = 160;
+  EXPECT_EQ(judge(load(120), {0, 10}).verdict, Verdict::pass);
+  TimeSeries sharp = load(0);
+  sharp.value[120] += 120;
+  const GateOutcome outcome = judge(sharp, {0, 10});
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
+  EXPECT_NE(outcome.message.find("lasts for about a sample"), std::string::npos);
+}
+
+// Crests that are cut off at 10 N/m are none of the peak, which is a trough of -30 N/m.
+TEST_F(GateOnALoad, DoubtsAFlatOnlyWhereThePeakMayBeCutOff) {
+  TimeSeries flat = load(0);
+  for (double& value : flat.value) value = std::min(value, 10.0);
+  EXPECT_EQ(judge(flat, {0, 10}).verdict, Verdict::pass) << judge(flat, {0, 10}).message;
+  for (double& value : flat.value) value = std::clamp(value, -9.0, 10.0);
+  row.limit = 11;
+  EXPECT_EQ(judge(flat, {0, 10}).verdict, Verdict::inconclusive);
+  row.limit = 160;
+  EXPECT_EQ(judge(flat, {0, 10}).verdict, Verdict::pass);
+}
+
 TEST_F(GateOnALoad, SaysSingleRunWhereNoRunRepeatsIt) {
   EXPECT_NE(judge(load(20), {0, 10}).message.find("; single run: how its peaks scatter is not"),
             std::string::npos);

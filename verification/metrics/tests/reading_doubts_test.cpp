@@ -60,5 +60,11 @@ TEST(ReadingDoubts, TellSamplesThatLeaveTheirNeighboursUnlessTheyMayBeImpacts) {
   }
 }
 
+TEST(ReadingDoubts, AreOfSamplesThatAlternate) {
+  SensorLimits limits{100, {}, {}, {}};
+  limits.roughness = 0.7;
+  EXPECT_EQ(doubts_of_readings(readings("N/m", limits)).size(), 1U);
+}
+
 }  // namespace
 }  // namespace slosh::reading_doubts_test

@@ -72,6 +72,17 @@ TEST(UnseenInterval, IsNotThereWhereTheReferenceResolvesTheCandidate) {
   EXPECT_FALSE(unseen(with_noise(impact, 100, 0, 1), with_noise(impact, 100, 0, 2)));
 }
 
+// Of a candidate that prints finer than the reference, the largest of many samples of its noise.
+TEST(UnseenInterval, IsNotThatOfTheCandidatesNoise) {
+  const auto reference = sampled(pressure, 0, 20, 0.02);
+  for (const double interval : {0.0002, 0.001, 0.01})
+    for (const double noise : {5.0, 10.0, 20.0}) {
+      const auto noisy = with_noise(sampled(pressure, 0, 20, interval), noise, 0, 3);
+      EXPECT_FALSE(unseen(noisy, reference)) << interval << " " << noise;
+    }
+  EXPECT_TRUE(unseen(with_noise(with_impact_at(10.05), 10, 0, 1), sampled(pressure, 0, 20, 0.1)));
+}
+
 // A digitised curve of few points is compared where it has them, with nothing made up between.
 TEST(SamplesOfBoth, AreTheReferencesWhereThatDoesNotResolveItself) {
   const auto sparse = sampled(pressure, 0, 20, 0.5), fine = sampled(pressure, 0, 20, 0.001);

@@ -296,6 +296,25 @@ TEST(SensorLimits, FindSeveralLostSamplesInARow) {
     }
 }
 
+// Two channels in one column, the one dry, give a fitted sine the amplitude that it should have.
+TEST(SensorLimits, FindSignalsThatAlternate) {
+  const std::vector<std::vector<double>> shares{
+      {2, 0}, {1.5, 1.5, 0}, {1.33, 1.33, 1.33, 0}, {2, 2, 0, 0}, {0.6, 1.4}};
+  for (const std::vector<double>& turn : shares)
+    for (const double noise : {0.0, 0.05}) {
+      std::mt19937 generator(2);
+      std::normal_distribution<double> normal;
+      std::size_t i = 0;
+      const auto alternating = [&](double t) {
+        return turn[i++ % turn.size()] * wave(t) + noise * normal(generator);
+      };
+      EXPECT_TRUE(limits_of_all(sampled(alternating, 0, 20, 0.02)).roughness) << turn.size();
+      const auto noisy = [&](double t) { return wave(t) + 4 * noise * normal(generator); };
+      EXPECT_FALSE(limits_of_all(sampled(noisy, 0, 20, 0.02)).roughness) << noise;
+    }
+  EXPECT_FALSE(limits_of_all(sampled(wave, 0, 20, period / 8)).roughness);
+}
+
 // A part of a run that holds one crest, a part of its flat or of the readings still shows them.
 TEST(SensorLimits, OfAPartOfTheRunAreThoseOfTheWholeRun) {
   const TimeSeries clipped =
