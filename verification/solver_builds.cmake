@@ -68,7 +68,4 @@ solver_sources(stored ${importing} slosh_solvers "stored_run|external_facts")
 solver_sources(external ${importing} slosh_peers "tank_file|motion_table" slosh_case ${motion_times}
                slosh_files "child_process|bound_cores"
                slosh_solvers "external_run|external_command|external_program|external_facts")
-# Of problems: those on SPH, and those on the metrics.
 solver_sources(problems slosh_sph ".*" slosh_problems ".*")
-solver_sources(metric_problems slosh_series ".*" slosh_fits ".*" slosh_metrics ".*" slosh_convergence ".*"
-               slosh_problems ".*")

@@ -1,5 +1,5 @@
 // The parser of campaign files (TOML, verification/campaigns/*.toml). It is as strict as that of
-// case files. key_table.hpp lists the keys; sweep.hpp reads [[sweep]].
+// case files. key_table.hpp lists the keys.
 #pragma once
 
 #include <filesystem>
@@ -19,5 +19,21 @@ CampaignDefinition read_campaign(const std::filesystem::path& file,
 // Finds the file of a campaign, as find_case() in case_parser.hpp does for a case.
 std::filesystem::path find_campaign(const std::string& name_or_path,
                                     const std::filesystem::path& directory);
+
+// Runs that a campaign adds to its cases: one for every combination of the values in a [[sweep]].
+//
+//   [[sweep]]       cases: names or globs of the campaign's cases
+//                   the keys of a [[run]] (groups.hpp)
+//   [[sweep.gate]]  optional; as [[gate]] of a case, without candidate: its rows for each
+//                   of these runs
+
+// Adds the runs and gate rows of the campaign's sweeps to the case. `experiments` is the directory
+// of the user's records. Throws CaseFileError with the line of the campaign file.
+void add_swept_runs(const CampaignDefinition& campaign, const std::filesystem::path& experiments,
+                    CaseDefinition& definition);
+
+// Throws CaseFileError for a sweep that matches none of these cases.
+void require_swept_cases(const CampaignDefinition& campaign,
+                         const std::vector<CaseDefinition>& cases);
 
 }  // namespace slosh

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "verification/case/usual_values.hpp"
 #include "verification/case_file/case_sections.hpp"
 
 namespace slosh {

@@ -14,6 +14,20 @@
 
 namespace slosh {
 
+// What a case file means where it says nothing: the earth's gravity, water and air at 20 °C, each
+// rounded as the papers of the field round it.
+
+// [m/s2]. Standard gravity is 9.80665 (3rd CGPM, 1901).
+inline constexpr double usual_gravity = 9.81;
+
+// Water at 20 °C and 101325 Pa has 998.2 kg/m3 (IAPWS R6-95) and 1.003e-6 m2/s (IAPWS R12-08).
+inline constexpr double water_density = 1000;              // [kg/m3]
+inline constexpr double water_kinematic_viscosity = 1e-6;  // [m2/s]
+
+// Dry air at 20 °C and 101325 Pa has 1.204 kg/m3 and 1.51e-5 m2/s: the equation of state and
+// Sutherland's formula as ISO 2533:1975 gives them.
+inline constexpr GasDefinition air{.density = 1.2, .kinematic_viscosity = 1.5e-5};
+
 // The keys of the tables that a struct holds.
 extern const FieldTable<TankDefinition> tank_table;
 extern const FieldTable<LiquidDefinition> liquid_table;
@@ -44,11 +58,7 @@ extern const FieldTable<TimingDefinition> timing_table;
 TankDefinition read_tank(const TomlTable& tank);
 LiquidDefinition read_liquid(const TomlTable& liquid, const CaseDefinition& definition);
 
-// Whether [tank] tells a tank that is no rectangle, and the reading of its outline.
-bool tells_outline(const TomlTable& tank);
-TankDefinition read_outline(const TomlTable& tank);
-
-// What such a tank excludes. The first needs the definition's tank alone; the second its motion and
+// What a tank that is no rectangle excludes. The first needs the definition's tank alone; the second its motion and
 // its comparison too.
 void refuse_beside_outline(const TomlTable& root, const CaseDefinition& definition);
 void refuse_breadth_of_outline(const TomlTable& root, const CaseDefinition& definition);
@@ -163,7 +173,7 @@ RefinementDefinition read_refinement(const TomlTable& refinement, const CaseDefi
 // Reads [[input]]. The definition's motion, comparison and earlier inputs must have been read.
 InputUncertainty read_input(const TomlTable& table, const CaseDefinition& definition);
 
-// Returns the rows of a [[gate]] (row_group.hpp). The definition's runs must have been read.
+// Returns the rows of a [[gate]] (groups.hpp). The definition's runs must have been read.
 std::vector<TomlTable> gate_rows(const TomlTable& group, const CaseDefinition& definition);
 
 // Reads a row of [[gate]]. The definition's motion, gauges, comparison and runs must have been
@@ -174,10 +184,5 @@ GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition);
 // no source: it rests on what was measured before.
 RowKind read_row_kind(const TomlTable& row);
 std::string read_row_source(const TomlTable& row, RowKind kind);
-
-// Reads [[problem]] of a campaign file. Refuses a problem that is one of `others`, and one without
-// a gate row, which could not fail.
-ProblemDefinition read_problem(const TomlTable& table, const std::vector<KnownProblem>& known,
-                               const std::vector<ProblemDefinition>& others);
 
 }  // namespace slosh

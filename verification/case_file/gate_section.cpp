@@ -12,7 +12,7 @@
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/groups/row_group.hpp"
+#include "verification/case_file/groups.hpp"
 #include "verification/case_file/key_table.hpp"
 
 namespace slosh {

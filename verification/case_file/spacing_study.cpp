@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "verification/case_file/groups/run_group.hpp"
+#include "verification/case_file/groups.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 #include "verification/input/toml_reader.hpp"

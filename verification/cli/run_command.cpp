@@ -16,7 +16,6 @@
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
-#include "verification/case_file/sweep.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/installation.hpp"
 #include "verification/cli/stored_run.hpp"

@@ -3,6 +3,8 @@
 // when this process dies.
 #pragma once
 
+#include <sys/types.h>
+
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -56,5 +58,20 @@ class ChildProcess {
 
 // Returns the program of this name on the PATH, or an empty path.
 std::filesystem::path program_on_path(const std::string& name);
+
+// The cores to which processes are bound (sched_setaffinity(2)).
+
+using Cores = std::vector<int>;  // their numbers, rising
+
+// Returns the cores that a process may use, where 0 stands for this one. Returns none for a process
+// that does not exist.
+Cores allowed_cores(pid_t process = 0);
+
+// Returns as many of the cores as are wanted, or all where there are fewer: those to which the
+// fewest of the other processes are bound. A process that may use all of them is bound to none.
+Cores least_bound(const Cores& cores, const std::vector<Cores>& of_others, int wanted);
+
+// Does so for this process's cores and all processes that run now.
+Cores least_bound_cores(int wanted);
 
 }  // namespace slosh

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "verification/fits/dense_algebra.hpp"
-#include "verification/fits/trial_spectrum.hpp"
+#include "verification/fits/local_noise.hpp"
 
 namespace slosh {
 namespace {

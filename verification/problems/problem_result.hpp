@@ -1,14 +1,12 @@
-// The result of a problem: one sealed JSON file (sealed_json.hpp) whose body has
-//   format ("slosh problem"), format_version, problem, quick, key, provenance, cost, measures[]
-//   (name, errors[]: step and error, null for NaN), figures[] (id, title, caption, x_label,
-//   y_label, log_x, log_y, curves[]), tables[] (id, title, caption, header, rows[])
+// The result of a problem: one sealed JSON file (sealed_json.hpp) whose body has `format` ("slosh
+// problem"), `format_version` and the members below by their names, null for NaN.
 #pragma once
 
 #include <filesystem>
 #include <map>
 #include <string>
 
-#include "verification/problems/problem.hpp"
+#include "verification/problems/problem_list.hpp"
 #include "verification/results/result_file.hpp"
 
 namespace slosh {

@@ -15,7 +15,6 @@
 #include <memory>
 #include <thread>
 
-#include "verification/files/bound_cores.hpp"
 #include "verification/files/child_process.hpp"
 #include "verification/files/foreign/legible_text.hpp"
 #include "verification/input/tables/table_reader.hpp"

@@ -7,7 +7,7 @@
 
 #include "verification/assessment/doubts/case_doubts.hpp"
 #include "verification/assessment/tests/found_limit.hpp"
-#include "verification/case/usual_values.hpp"
+#include "verification/case_file/case_sections.hpp"
 
 namespace slosh::gas_limits_test {
 namespace {

@@ -1,7 +1,5 @@
 // The schema of case and campaign files, by a validator that others use, on all shipped files and
 // on broken ones.
-#include "verification/case_file/from_keys/key_schema.hpp"
-
 #include <gtest/gtest.h>
 #include <toml++/toml.h>
 
@@ -15,6 +13,8 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
+
+#include "verification/case_file/key_table.hpp"
 
 namespace slosh::key_schema_test {
 namespace {

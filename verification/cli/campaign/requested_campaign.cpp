@@ -18,7 +18,6 @@
 #include "verification/case/quantities.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
-#include "verification/case_file/sweep.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/problems/problem_list.hpp"

@@ -13,8 +13,6 @@
 #include "verification/assessment/doubts/case_doubts.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
-#include "verification/case_file/from_keys/commented_case.hpp"
-#include "verification/case_file/from_keys/key_schema.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/cli/campaign/requested_campaign.hpp"
 #include "verification/cli/command_tree.hpp"

@@ -1,5 +1,3 @@
-#include "verification/fits/trial_spectrum.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <numbers>
 
 #include "verification/fits/dense_algebra.hpp"
+#include "verification/fits/local_noise.hpp"
 #include "verification/series/fourier_transform.hpp"
 
 namespace slosh::trial_spectrum_test {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "sph/simulation.hpp"
-#include "verification/problems/problem.hpp"
-#include "verification/problems/stability/lattice_stability.hpp"
+#include "verification/problems/problem_list.hpp"
+#include "verification/problems/stability/lattice_buckling.hpp"
 
 namespace slosh {
 

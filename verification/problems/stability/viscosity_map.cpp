@@ -10,7 +10,7 @@
 #include "sph/schemes.hpp"
 #include "verification/problems/flow.hpp"
 #include "verification/problems/problem_list.hpp"
-#include "verification/problems/stability/lattice_stability.hpp"
+#include "verification/problems/stability/lattice_buckling.hpp"
 #include "verification/problems/stability/stability_map.hpp"
 
 namespace slosh {

@@ -1,10 +1,17 @@
 // The list of problems, and the shipped campaigns over them.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
 #include <set>
 
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/problems/problem_list.hpp"
+#include "verification/problems/problem_result.hpp"
+#include "verification/runs/tests/key_question.hpp"
+#include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::problem_test {
 namespace {
@@ -50,6 +57,84 @@ TEST(ShippedCampaigns, GateEveryProblemOnceAndEveryGateRowHasASource) {
   EXPECT_EQ(names.size(), all_problems().size());
   for (const ProblemDefinition& problem : shipped())
     for (const ProblemGateRow& row : problem.gate) EXPECT_GT(row.source.size(), 8u);
+}
+
+// A problem's result file: what is written is read, and nothing else is taken for one.
+
+ProblemResult sample() {
+  ProblemResult result;
+  result.problem = "rigid_rotation";
+  result.quick = true;
+  result.key = "1-2";
+  result.provenance = {{"command", "./slosh problem rigid_rotation"}};
+  result.cost.user_time = 1.5;
+  result.outcome.measures = {
+      {"slope", {{0.1, 1.0 / 3}, {0.05, std::numeric_limits<double>::quiet_NaN()}}}};
+  reports::Figure figure;
+  figure.id = "shapes";
+  figure.curves = {{"one", {0, 1}, {2, 3}, {}, reports::Curve::Style::dashed}};
+  figure.log_y = true;
+  result.outcome.figures = {figure};
+  result.outcome.tables = {{"limits", "Limits", "", {"C", "how"}, {{"1.4", "stable"}}}};
+  return result;
+}
+
+class ProblemResultFile : public ::testing::Test {
+ protected:
+  std::filesystem::path file() const { return temporary_.path() / "new" / "result.json"; }
+  std::string text() const {
+    std::ifstream stream(file());
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+  void rewrite(const std::string& text) const { std::ofstream(file()) << text; }
+
+  TemporaryDirectory temporary_;
+};
+
+TEST_F(ProblemResultFile, IsReadAsItWasWritten) {
+  write_problem_result(sample(), file());
+  const ProblemResult read = read_problem_result(file());
+  EXPECT_EQ(read.problem, "rigid_rotation");
+  EXPECT_TRUE(read.quick);
+  EXPECT_EQ(read.key, "1-2");
+  EXPECT_EQ(read.provenance, sample().provenance);
+  EXPECT_EQ(read.cost.user_time, 1.5);
+  ASSERT_EQ(read.outcome.measures.size(), 1u);
+  EXPECT_EQ(read.outcome.measures[0].errors[0].error, 1.0 / 3);
+  EXPECT_TRUE(std::isnan(read.outcome.measures[0].errors[1].error));
+  ASSERT_EQ(read.outcome.figures.size(), 1u);
+  EXPECT_EQ(read.outcome.figures[0].curves[0].y, (std::vector<double>{2, 3}));
+  EXPECT_EQ(read.outcome.figures[0].curves[0].style, reports::Curve::Style::dashed);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(file().parent_path()), {}), 1);
+}
+
+TEST_F(ProblemResultFile, IsRefusedWhereItIsAbsentTruncatedOrAltered) {
+  EXPECT_THROW(read_problem_result(file()), ResultError);
+  write_problem_result(sample(), file());
+  const std::string whole = text();
+  rewrite(whole.substr(0, whole.size() / 2));
+  EXPECT_THROW(read_problem_result(file()), ResultError);
+  std::string altered = whole;
+  altered.replace(altered.find("0.05"), 4, "0.06");
+  rewrite(altered);
+  EXPECT_THROW(read_problem_result(file()), ResultError);
+  rewrite("{}");
+  EXPECT_THROW(read_problem_result(file()), ResultError);
+  rewrite(whole);
+  EXPECT_NO_THROW(read_problem_result(file()));
+}
+
+TEST_F(ProblemResultFile, IsKeyedByProblemFormAndBuild) {
+  const std::filesystem::path& builds = temporary_.path();
+  std::ofstream(builds / "problems") << "one";
+  const Problem& rotation = find_problem("rigid_rotation");
+  const std::string key = problem_key(rotation, true, builds);
+  EXPECT_EQ(key, problem_key(rotation, true, builds));
+  EXPECT_FALSE(asks_the_same(key, problem_key(rotation, false, builds)));
+  EXPECT_FALSE(asks_the_same(key, problem_key(find_problem("taylor_green"), true, builds)));
+  std::ofstream(builds / "problems") << "two";
+  EXPECT_NE(key, problem_key(rotation, true, builds));
+  EXPECT_TRUE(asks_the_same(key, problem_key(rotation, true, builds)));
 }
 
 }  // namespace

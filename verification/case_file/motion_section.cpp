@@ -1,0 +1,312 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "verification/case/cubic_spline.hpp"
+#include "verification/case/motion.hpp"
+#include "verification/case/motion/motion_times.hpp"
+#include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/key_table.hpp"
+#include "verification/fits/dominant_sine.hpp"
+#include "verification/input/input_files.hpp"
+#include "verification/input/tables/time_table.hpp"
+
+namespace slosh {
+namespace {
+
+// [deg]. A larger angle is more than one turn, and probably given in another unit.
+constexpr double largest_angle = 360;
+
+// [deg]. The tank starts level. The tolerance is far above rounding errors and far below any roll.
+constexpr double level_angle = 1e-3;
+
+// Integrates the cubic spline through accelerations twice, from the position 0 and the velocity 0
+// at the time 0. Over an interval of the length h between the values a, b with the spline's second
+// derivatives m, n,
+//   velocity + h (a + b)/2 - h^3 (m + n)/24,
+//   position + h velocity + h^2 (2 a + b)/6 - h^4 (8 m + 7 n)/360.
+TableMotion integrated(const TableMotion& accelerations) {
+  const CubicSpline spline(accelerations.time, accelerations.value);
+  TableMotion motion{accelerations.file, {0}, {0}};
+  double velocity = 0, position = 0;
+  for (const double t : accelerations.time) {
+    const double start = motion.time.back(), h = t - start;
+    if (!(h > 1e-9 * shortest_table_step)) continue;
+    const double a = spline.value(start), b = spline.value(t);
+    const double m = spline.second_derivative(start), n = spline.second_derivative(t);
+    position += h * velocity + h * h * (2 * a + b) / 6 - h * h * h * h * (8 * m + 7 * n) / 360;
+    velocity += h * (a + b) / 2 - h * h * h * (m + n) / 24;
+    motion.time.push_back(t);
+    motion.value.push_back(position);
+  }
+  return motion;
+}
+
+// Returns the rows with the case's times.
+TimeTable read_rows(const TableFile& table, const std::string& position,
+                    const std::string& acceleration) {
+  TimeTable rows = read_time_table(table.file, {position, acceleration});
+  const auto refuse = [&](std::size_t row, const std::string& expected) {
+    throw table_error(table.file, rows.lines[row], "time_s", fmt::format("{}", rows.time[row]),
+                      expected + ", in s" +
+                          (table.time_offset == 0 ? ""
+                                                  : fmt::format(", with time_offset_s = {} added",
+                                                                table.time_offset)));
+  };
+  if (!(rows.time.front() + table.time_offset <= 0)) refuse(0, "0 or less in the first row");
+  // An offset leaves a table that is as long as the case short by rounding.
+  if (!(rows.time.back() + table.time_offset >= table.duration * (1 - 1e-9)))
+    refuse(rows.time.size() - 1,
+           fmt::format("a last time of at least the case's duration ({})", table.duration));
+  if (!(rows.time[rows.time.size() - 3] + table.time_offset > 0))
+    refuse(rows.time.size() - 3, "three rows after 0 or more");
+  for (double& time : rows.time) time += table.time_offset;
+  return rows;
+}
+
+TableMotion motion_of(const std::filesystem::path& file, const TimeTable& rows) {
+  TableMotion motion{file, rows.time, rows.value};
+  if (rows.column.starts_with("acceleration")) motion = integrated(motion);
+  return thinned(motion, shortest_table_step);
+}
+
+const TableMotion* surge_table(const MotionDefinition& motion) {
+  return motion.surge ? std::get_if<TableMotion>(&*motion.surge) : nullptr;
+}
+
+const TableMotion* roll_table(const MotionDefinition& motion) {
+  return motion.roll ? std::get_if<TableMotion>(&motion.roll->angle) : nullptr;
+}
+
+void find_in_spectrum(const TomlTable& comparison, CaseDefinition& definition) {
+  const TableMotion *surge = surge_table(definition.motion), *roll = roll_table(definition.motion);
+  if (surge && roll)
+    comparison.refuse("forcing",
+                      "forcing_frequency_Hz instead, as two tables have no spectrum in common");
+  const TableMotion& table = surge ? *surge : *roll;
+  try {
+    const DominantSine sine = dominant_sine(
+        {table.file.filename().string(), surge ? "m" : "rad", table.time, table.value},
+        {definition.window_begin, definition.window_end});
+    definition.declared_forcing_frequency = sine.angular_frequency.value;
+    definition.found_forcing = {sine.angular_frequency.half_width, sine.rest};
+  } catch (const ComparisonError& error) {
+    comparison.refuse(
+        "forcing",
+        fmt::format("a motion table that is nearly one sine from {:g} to {:g} s, the window of the "
+                    "comparison; {}. Write forcing_frequency_Hz or forcing_period_s instead to "
+                    "name the frequency that is meant",
+                    definition.window_begin, definition.window_end, error.what()));
+  }
+}
+
+constexpr double full_turn = 2 * std::numbers::pi;
+
+double angular_frequency_at(const TomlTable& table, const FrequencyKeys& keys) {
+  if (table.has(keys.period)) return full_turn / table.get(keys.period, positive("s"));
+  if (table.has(keys.frequency)) return full_turn * table.get(keys.frequency, positive("Hz"));
+  return table.get(keys.angular_frequency, positive("rad/s"));
+}
+
+// [tank lengths]. With an axis further away, a roll becomes a surge and rounding errors become
+// noise.
+constexpr double farthest_axis = 1000;
+
+// Where the motion's table lies, and how long it must last.
+struct TableScope {
+  std::filesystem::path case_file;
+  double duration;  // [s]
+};
+
+// The differences between the motions of a surge and a roll.
+struct HistoryForm {
+  std::string amplitude_key;
+  Rule<double> amplitude;
+  double si_per_unit;
+  TableMotion (*read_table)(const TableFile&);
+  std::vector<std::string> other_keys;
+  std::string table;  // of key_table.hpp
+};
+
+std::filesystem::path file_beside(const TomlTable& table, const std::filesystem::path& case_file) {
+  std::filesystem::path file = case_file.parent_path() / table.get("file", any_text());
+  require_data_file(table, "file", file, case_file);
+  return file;
+}
+
+std::vector<std::string> sine_keys(const HistoryForm& form) {
+  std::vector<std::string> keys{form.amplitude_key, "phase_deg", "ramp_periods"};
+  for (const std::string& key : frequency_keys().all()) keys.push_back(key);
+  return keys;
+}
+
+SineMotion read_sine(const TomlTable& table, const HistoryForm& form) {
+  const Rule<double> phase{"a number from -360 to 360, in deg",
+                           [](double degrees) { return std::abs(degrees) <= 360; }, 0};
+  return {.amplitude = table.get(form.amplitude_key, form.amplitude) * form.si_per_unit,
+          .angular_frequency = read_angular_frequency(table, frequency_keys()),
+          .ramp_periods = table.find("ramp_periods", not_negative("periods")).value_or(0),
+          .phase = table.find("phase_deg", phase).value_or(0) * radians_per_degree};
+}
+
+SumOfSines read_sines(const TomlTable& table, const HistoryForm& form) {
+  SumOfSines sum;
+  for (const TomlTable& sine : table.tables("sines")) {
+    sine.allow_only(sine_keys(form));
+    sum.sines.push_back(read_sine(sine, form));
+  }
+  if (sum.sines.size() < 2)
+    table.refuse("sines", "two sines or more; a single one is type = \"sine\"");
+  return sum;
+}
+
+MotionHistory read_history(const TomlTable& table, const HistoryForm& form,
+                           const TableScope& scope) {
+  const auto allow = [&](std::vector<std::string> keys) {
+    keys.insert(keys.end(), form.other_keys.begin(), form.other_keys.end());
+    table.allow_only(keys);
+  };
+  table.allow_only(keys_of(form.table));
+  const std::string type = table.choice("type", "a motion", {"sine", "sines", "table"});
+  if (type == "table") {
+    allow({"type", "file", "time_offset_s"});
+    return form.read_table(
+        {file_beside(table, scope.case_file), scope.duration, read_time_offset(table)});
+  }
+  if (type == "sines") {
+    allow({"type", "sines"});
+    return read_sines(table, form);
+  }
+  std::vector<std::string> keys = sine_keys(form);
+  keys.insert(keys.begin(), "type");
+  allow(keys);
+  return read_sine(table, form);
+}
+
+MotionHistory read_surge(const TomlTable& surge, const TableScope& scope) {
+  return read_history(surge, {"amplitude_m", positive("m"), 1, read_surge_table, {}, "surge"},
+                      scope);
+}
+
+Rule<double> near_the_tank(double tank_length, const char* unit) {
+  const double farthest = farthest_axis * tank_length;
+  return {fmt::format("a number from -{0} to {0} ({1} tank lengths), in {2}", farthest,
+                      farthest_axis, unit),
+          [farthest](double place) { return place >= -farthest && place <= farthest; }, 0};
+}
+
+// A tank that starts tilted has a surface that is not parallel to its bottom, which neither SPH's
+// lattice nor interFoam's mesh starts from. The reader of a table refuses it itself.
+void refuse_tilted_start(const TomlTable& roll, const MotionHistory& angle) {
+  double start = 0;  // [deg]
+  for (const SineMotion& sine : sines_of(angle))
+    if (sine.ramp_periods == 0) start += sine.amplitude * std::sin(sine.phase) / radians_per_degree;
+  if (!(std::abs(start) <= level_angle))
+    roll.refuse(
+        roll.has("sines") ? "sines" : "phase_deg",
+        fmt::format("an angle of 0 to within {} at the start, in deg, where this is {:.4g}: "
+                    "the tank starts level; ramp_periods > 0 lets any phase begin level",
+                    level_angle, start));
+}
+
+RollDefinition read_roll(const TomlTable& roll, const TableScope& scope, double tank_length) {
+  const Rule<double> amplitude{
+      fmt::format("a number > 0 and <= {}, in deg", largest_angle),
+      [](double degrees) { return degrees > 0 && degrees <= largest_angle; }, largest_angle};
+  const HistoryForm form{"amplitude_deg",          amplitude, radians_per_degree, read_roll_table,
+                         {"axis_x_m", "axis_z_m"}, "roll"};
+  RollDefinition read{
+      .angle = read_history(roll, form, scope),
+      .axis_x = roll.get("axis_x_m", near_the_tank(tank_length, "m from the left wall")),
+      .axis_z = roll.get("axis_z_m", near_the_tank(tank_length, "m from the bottom"))};
+  refuse_tilted_start(roll, read.angle);
+  return read;
+}
+
+}  // namespace
+
+TableMotion read_surge_table(const TableFile& table) {
+  return motion_of(table.file, read_rows(table, "displacement_m", "acceleration_m_s2"));
+}
+
+TableMotion read_roll_table(const TableFile& table) {
+  const TimeTable rows = read_rows(table, "angle_deg", "acceleration_deg_s2");
+  const auto refuse = [&](std::size_t row, const std::string& expected) {
+    throw table_error(table.file, rows.lines[row], rows.column, fmt::format("{}", rows.value[row]),
+                      expected);
+  };
+  TableMotion motion = motion_of(table.file, rows);
+  const auto after = std::upper_bound(rows.time.begin(), rows.time.end(), 0.0);
+  if (!(std::abs(motion.value.front()) <= level_angle))
+    refuse(static_cast<std::size_t>(after - rows.time.begin()) - 1,
+           fmt::format("an angle of 0 to within {} at the start, in deg: the tank starts level",
+                       level_angle));
+  const std::vector<double>& angles = rows.column == "angle_deg" ? rows.value : motion.value;
+  for (std::size_t row = 0; row < angles.size(); ++row)
+    if (!(std::abs(angles[row]) <= largest_angle))
+      refuse(std::min(row, rows.value.size() - 1),
+             fmt::format("angles from -{0} to {0}, in deg", largest_angle));
+  for (double& angle : motion.value) angle *= radians_per_degree;
+  return motion;
+}
+
+void read_forcing(const TomlTable& comparison, CaseDefinition& definition) {
+  const FrequencyKeys keys = frequency_keys("forcing_");
+  const bool has_table = surge_table(definition.motion) || roll_table(definition.motion);
+  definition.declared_forcing_frequency = find_angular_frequency(comparison, keys);
+  std::vector<std::string> all = keys.all();
+  all.push_back("forcing");
+  for (const std::string& key : all)
+    if (comparison.has(key) && !has_table)
+      comparison.refuse(key, "no such key without a motion table: a sine has its own frequency");
+  if (!comparison.has("forcing")) return;
+  comparison.choice("forcing", "how the frequency of a motion table is known", {"from_spectrum"});
+  for (const std::string& key : keys.all())
+    if (comparison.has(key)) comparison.refuse(key, "no such key beside forcing");
+  find_in_spectrum(comparison, definition);
+}
+
+FrequencyKeys frequency_keys(const std::string& prefix) {
+  return {prefix + "angular_frequency_rad_s", prefix + "frequency_Hz", prefix + "period_s"};
+}
+
+std::vector<std::string> FrequencyKeys::all() const {
+  return {angular_frequency, frequency, period};
+}
+
+std::optional<double> find_angular_frequency(const TomlTable& table, const FrequencyKeys& keys) {
+  std::vector<std::string> given;
+  for (const std::string& key : keys.all())
+    if (table.has(key)) given.push_back(key);
+  if (given.empty()) return std::nullopt;
+  if (given.size() > 1)
+    table.refuse(given.back(), fmt::format("exactly one of {}", fmt::join(keys.all(), " | ")));
+  return angular_frequency_at(table, keys);
+}
+
+double read_angular_frequency(const TomlTable& table, const FrequencyKeys& keys) {
+  const std::optional<double> given = find_angular_frequency(table, keys);
+  return given ? *given : angular_frequency_at(table, keys);
+}
+
+MotionDefinition read_motion(const TomlTable& motion, const CaseDefinition& definition) {
+  motion.allow_only(keys_of("motion"));
+  const TableScope scope{definition.file, definition.duration};
+  MotionDefinition read;
+  if (motion.has("surge")) read.surge = read_surge(motion.table("surge"), scope);
+  if (motion.has("roll"))
+    read.roll = read_roll(motion.table("roll"), scope, definition.tank.length);
+  const bool says_still = motion.flag("still");
+  if (motion.has("still") && says_still != read.still())
+    motion.refuse("still", read.still() ? "true, or [motion.surge] or [motion.roll] instead"
+                                        : "no such key beside [motion.surge] or [motion.roll]");
+  if (read.still() && !says_still)
+    motion.refuse_table("{}", "still = true, [motion.surge], [motion.roll] or both of these");
+  return read;
+}
+
+}  // namespace slosh

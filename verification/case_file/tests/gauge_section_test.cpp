@@ -1,0 +1,234 @@
+// Pressure gauges, snapshot times and the compared quantities.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "verification/case/quantities.hpp"
+#include "verification/case_file/tests/refusals.hpp"
+#include "verification/tests/messages.hpp"
+#include "verification/tests/trial_case.hpp"
+
+namespace slosh::gauge_section_test {
+namespace {
+
+// The tank is 2 m long and 1 m high, sampled at 100 Hz.
+std::string with_gauge(const std::string& keys) {
+  return valid_text + "[[pressure_gauge]]\n" + keys;
+}
+
+TEST(PressureGauge, IsAPointUnlessToldAndHasNoFilter) {
+  const CaseDefinition definition =
+      read_text(with_gauge("name = \"b\"\nwall = \"left\"\nposition_m = 0.093\n"));
+  ASSERT_EQ(definition.pressure_gauges.size(), 1u);
+  EXPECT_EQ(definition.pressure_gauges[0].wall, Wall::left);
+  EXPECT_EQ(definition.pressure_gauges[0].position, 0.093);
+  EXPECT_EQ(definition.pressure_gauges[0].width, 0);
+  EXPECT_FALSE(definition.pressure_gauges[0].filter_cutoff);
+}
+
+TEST(PressureGauge, MayReachToTheWallsEnds) {
+  const CaseDefinition definition =
+      read_text(with_gauge("name = \"a\"\nwall = \"right\"\nposition_m = 0.9\nwidth_m = 0.2\n"
+                           "filter_cutoff_Hz = 49.9\n[[pressure_gauge]]\nname = \"b\"\n"
+                           "wall = \"bottom\"\nposition_m = 2.0\n"));
+  EXPECT_EQ(definition.pressure_gauges.at(0).wall, Wall::right);
+  EXPECT_EQ(definition.pressure_gauges.at(0).width, 0.2);
+  EXPECT_EQ(definition.pressure_gauges.at(0).filter_cutoff, 49.9);
+  EXPECT_EQ(definition.pressure_gauges.at(1).wall, Wall::bottom);
+}
+
+TEST(PressureGauge, MayBeInTheRoof) {
+  const CaseDefinition definition =
+      read_text(with_gauge("name = \"a\"\nwall = \"roof\"\nposition_m = 1.9\nwidth_m = 0.2\n"));
+  EXPECT_EQ(definition.pressure_gauges.at(0).wall, Wall::roof);
+  EXPECT_EQ(definition.pressure_gauges.at(0).position, 1.9);
+}
+
+TEST(PressureGauge, MayBeTheOnlyGauge) {
+  std::string text = valid_text.substr(0, valid_text.find("[[gate]]"));
+  const std::size_t gauges = text.find("[[gauge]]");
+  text.erase(gauges, text.find("[comparison]") - gauges);
+  text += "[[pressure_gauge]]\nname = \"b\"\nwall = \"left\"\nposition_m = 0.093\n";
+  EXPECT_EQ(compared_quantities(read_text(text)),
+            (std::vector<std::string>{"wall_pressure@b", "force_x", "force_z", "momentum_x",
+                                      "momentum_z"}));
+}
+
+TEST(PressureGauge, IsRefusedWhereItMakesNoSense) {
+  const std::string keys = "name = \"b\"\nwall = \"left\"\nposition_m = 0.1\n";
+  expect_refusals(with_gauge(keys), R"(
+pressure_gauge.name = "a b": expected a name of
+pressure_gauge.wall is missing: expected a wall, one of left, right, bottom
+pressure_gauge.wall = "lift": expected a wall, one of left, right, bottom, roof; nearest: left
+pressure_gauge.position_m is missing: expected a number from 0 to the tank's height (1), in m from
+  the bottom
+pressure_gauge.position_m = 1.001: expected a number from 0 to the tank's height (1)
+pressure_gauge.position_m = -0.001: expected
+pressure_gauge.position_m = nan: expected
+pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 2.1: expected a number from 0 to the
+  tank's length (2), in m from the left wall
+pressure_gauge.wall = "roof" & pressure_gauge.position_m = 2.1: expected a number from 0 to the
+  tank's length (2), in m from the left wall
+pressure_gauge.position_m = 0.005 & pressure_gauge.width_m = 0.011: expected a number >= 0 and <=
+  0.01, in m: the whole sensor lies on the wall
+pressure_gauge.position_m = 0.999 & pressure_gauge.width_m = 0.01: expected a number >= 0 and <= 0.002
+pressure_gauge.width_m = -0.01: expected a number >= 0
+pressure_gauge.filter_cutoff_Hz = 50: expected a number > 0 and below half the sampling rate (50), in
+  Hz
+pressure_gauge.filter_cutoff_Hz = 0: expected a number > 0
+pressure_gauge.hight_m = 0.1: expected only these keys here: name, wall, position_m, x_m, z_m,
+  width_m, filter_cutoff_Hz; nearest known key: width_m
+)");
+  expect_refusals(with_gauge(keys + "[[pressure_gauge]]\n" + keys), R"(
+-> pressure_gauge.name = "b": expected a name that no other pressure_gauge has
+)");
+}
+
+TEST(PressureGauge, IsNotBehindAnObstacle) {
+  const std::string gauge =
+      "name = \"b\"\nwall = \"left\"\nposition_m = 0.205\nwidth_m = 0.02\n[[obstacle]]\n";
+  expect_refusals(
+      with_gauge(gauge + "name = \"step\"\nleft_m = 0\nright_m = 0.3\nbottom_m = 0\ntop_m = 0.2\n"),
+      R"(
+-> obstacle.name = "step": expected an obstacle elsewhere: it covers the pressure gauge b at 0.205 m
+pressure_gauge.position_m = 0.215: accepted
+pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 0.1 -> obstacle.name = "step": expected
+pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 0.4: accepted
+pressure_gauge.wall = "right" & pressure_gauge.position_m = 0.1: accepted
+pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 0.1 & obstacle.bottom_m = 0.1: accepted
+pressure_gauge.wall = "roof" & pressure_gauge.position_m = 0.1 & obstacle.bottom_m = 0.8 &
+  obstacle.top_m = 1 -> obstacle.name = "step": expected
+pressure_gauge.wall = "roof" & pressure_gauge.position_m = 0.1 & obstacle.bottom_m = 0.8 &
+  obstacle.top_m = 0.9: accepted
+pressure_gauge.wall = "right" & pressure_gauge.position_m = 0.3 & obstacle.left_m = 1.8 &
+  obstacle.right_m = 2 & obstacle.bottom_m = 0.25 & obstacle.top_m = 0.4 -> obstacle.name = "step":
+  expected
+)");
+}
+
+TEST(ComparedQuantities, HaveTheCasesElevationsFirstAndThenItsWallPressures) {
+  CaseDefinition definition{};
+  definition.gauges = {{"right", 1.95}};
+  definition.pressure_gauges = {{"b", Wall::left, 0.1, 0, 10}, {"c", Wall::bottom, 0.1}};
+  EXPECT_EQ(compared_quantities(definition),
+            (std::vector<std::string>{
+                "elevation@right", "wall_pressure@b", "wall_pressure@b/filtered", "wall_pressure@c",
+                "force_x", "force_z", "momentum_x", "momentum_z", "highest_surface@right"}));
+  definition.liquid.column_width = 0.1;
+  definition.motion.roll = RollDefinition{SineMotion{0.1, 2}, 0, 0};
+  const auto rolling_dam = compared_quantities(definition);
+  EXPECT_EQ(rolling_dam.front(), "front_position");
+  EXPECT_NE(std::find(rolling_dam.begin(), rolling_dam.end(), "moment"), rolling_dam.end());
+  for (const std::string& quantity : rolling_dam) EXPECT_NE(unit_of(quantity), "");
+}
+
+TEST(ComparedQuantities, HaveTheirUnits) {
+  const std::vector<std::pair<std::string, std::string>> units{
+      {"front_position", "m"},   {"elevation@a", "m"},   {"wall_pressure@a", "Pa"},
+      {"force_x", "N/m"},        {"force_z", "N/m"},     {"wall_pressure@a/filtered", "Pa"},
+      {"moment", "N"},           {"momentum_x", "kg/s"}, {"momentum_z", "kg/s"},
+      {"highest_surface@a", "m"}};
+  for (const auto& [quantity, unit] : units) EXPECT_EQ(unit_of(quantity), unit) << quantity;
+  for (const char* none : {"", "force", "force_xy", "elevation", "velocity@a", "liquid_volume"}) {
+    EXPECT_THROW(unit_of(none), std::invalid_argument) << none;
+    EXPECT_FALSE(has_modes(none)) << none;
+  }
+}
+
+TEST(ComparedQuantities, HaveModesWhereLinearTheoryHasThem) {
+  for (const char* swings : {"elevation@a", "wall_pressure@a", "wall_pressure@a/filtered",
+                             "force_x", "moment", "momentum_x", "highest_surface@a"})
+    EXPECT_TRUE(has_modes(swings)) << swings;
+  for (const char* does_not : {"front_position", "force_z", "momentum_z"})
+    EXPECT_FALSE(has_modes(does_not)) << does_not;
+}
+
+TEST(GateOnAnyQuantity, HasTheUnitOfItsMetricOrOfTheQuantity) {
+  expect_refusals(valid_text, R"(
+gate.quantity = "force_x" & gate.metric = "phase_lag" & gate.unit = "deg": accepted
+gate.quantity = "force_x" & gate.mode = "whole" & gate.metric = "mean_offset" & gate.unit = "N/m":
+  accepted
+gate.quantity = "momentum_z" & gate.mode = "whole" & gate.metric = "aligned_rms": accepted
+gate.mode = "whole" & gate.metric = "mean_offset" & gate.unit = "m": accepted
+gate.quantity = "force_x" & gate.mode = "whole" & gate.metric = "mean_offset" & gate.unit = "m":
+  expected the unit of mean_offset, which is N/m
+gate.quantity = "force_z" -> gate.mode = "forced": expected what amplitude_error is measured on, of
+  which there is none
+gate.quantity = "moment": expected a compared quantity, one of
+)");
+  expect_refusals(
+      with_keys(valid_text,
+                "gate.reference is missing & gate.quantity = \"highest_surface@left\" & "
+                "gate.mode = \"whole\" & gate.metric = \"largest_magnitude\""),
+      R"(
+gate.unit = "m": accepted
+gate.unit = "mm": expected the unit of highest_surface@left, which is m
+)");
+}
+
+TEST(SnapshotTimes, AreIncreasingMultiplesOfTheSampleInterval) {
+  const std::string text =
+      with_keys(valid_text, "time.snapshot_times_s = [0.01, 3.45, 3.95, 4.35, 4.75, 20]");
+  EXPECT_EQ(read_text(text).snapshot_times,
+            (std::vector<double>{0.01, 3.45, 3.95, 4.35, 4.75, 20}));
+  EXPECT_TRUE(read_text(valid_text).snapshot_times.empty());
+  expect_refusals(valid_text, R"(
+time.snapshot_times_s = 3: expected an array of numbers, each a
+time.snapshot_times_s = [1, 0] -> time.snapshot_times_s = 0: expected a number > 0 and <= the
+  duration (20), a multiple of sample_interval_s (0.01), in s
+time.snapshot_times_s = [1, 20.01] -> time.snapshot_times_s = 20.01: expected a number > 0 and <= the
+time.snapshot_times_s = [3.455] -> time.snapshot_times_s = 3.455: expected a number > 0 and <= the
+time.snapshot_times_s = [nan] -> time.snapshot_times_s = nan: expected a number > 0 and <= the
+time.snapshot_times_s = ["1"] -> time.snapshot_times_s = "1": expected a number > 0 and <= the
+time.snapshot_times_s = [2, 1] -> time.snapshot_times_s = 1: expected a number above the one before it
+time.snapshot_times_s = [2, 2] -> time.snapshot_times_s = 2: expected a number above the one
+)");
+  const std::string third =
+      complaint_about({"duration_s = 20.0", "snapshot_times_s = [2,\n\n1]\nduration_s = 20.0"});
+  EXPECT_TRUE(begins(third, "trial.toml:25: time.snapshot_times_s = 1: expected"));
+}
+
+// [[probe]] and wall_forces.
+
+const std::string probe = "[[probe]]\nname = \"middle\"\nx_m = 1.0\nz_m = 0.2\n[comparison]\n";
+
+TEST(ProbeSection, GivesAPlaceInTheTank) {
+  const CaseDefinition definition = read_text(edited({"[comparison]\n", probe}));
+  ASSERT_EQ(definition.probes.size(), 1u);
+  EXPECT_EQ(definition.probes[0].name, "middle");
+  EXPECT_EQ(definition.probes[0].x, 1);
+  EXPECT_EQ(definition.probes[0].z, 0.2);
+}
+
+TEST(ProbeSection, RefusesAPlaceOutsideTheTankAndANameGivenTwice) {
+  const std::string one = "[[probe]]\nname = \"a\"\nx_m = 1\nz_m = 0.2\n";
+  expect_refusals(valid_text + one, R"(
+probe.x_m = 2.1: expected a number from 0 to the tank's length (2), in m from the left wall
+probe.z_m = -0.2: expected a number from 0 to the tank's height (1), in m from the bottom
+wall_forces = ["front"] -> wall_forces = (an array): expected a list of walls (left, right, bottom,
+  roof), each once
+wall_forces = ["left", "left"] -> wall_forces = (an array): expected a list of walls
+)");
+  expect_refusals(valid_text + one + one,
+                  R"(-> probe.name = "a": expected a name that no other probe)");
+  expect_refusals(valid_text + one +
+                      "[[obstacle]]\nname = \"block\"\nleft_m = 0.9\nright_m = "
+                      "1.1\nbottom_m = 0\ntop_m = 0.3\n",
+                  R"(
+-> obstacle.name = "block": expected an obstacle elsewhere: it holds the probe a at (1, 0.2) m
+)");
+}
+
+TEST(WallForcesKey, NamesTheWallsWhoseForcesAreCompared) {
+  const CaseDefinition definition =
+      read_text(edited({"[tank]\n", "wall_forces = [\"right\", \"bottom\"]\n[tank]\n"}));
+  EXPECT_EQ(definition.wall_forces, (std::vector<Wall>{Wall::right, Wall::bottom}));
+  const std::vector<std::string> compared = compared_quantities(definition);
+  EXPECT_EQ(std::count(compared.begin(), compared.end(), "force_x@right"), 1);
+  EXPECT_EQ(std::count(compared.begin(), compared.end(), "force_z@bottom"), 1);
+  EXPECT_EQ(std::count(compared.begin(), compared.end(), "force_x@left"), 0);
+}
+
+}  // namespace
+}  // namespace slosh::gauge_section_test
