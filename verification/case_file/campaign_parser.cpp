@@ -55,6 +55,15 @@ void read_head(const TomlTable& head, CampaignDefinition& campaign) {
   campaign.paper = head.find("paper", known_paper()).value_or("");
 }
 
+// A case that stands for a campaign of its own.
+CampaignDefinition campaign_of_case(const TomlTable& root, CampaignDefinition campaign) {
+  campaign.name = root.get("name", file_safe_name());
+  campaign.title = root.get("title", any_text());
+  campaign.source = root.get("source", any_text());
+  campaign.cases = {campaign.file};
+  return campaign;
+}
+
 }  // namespace
 
 const FieldTable<TimingDefinition> timing_table{
@@ -73,6 +82,7 @@ CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_dire
   campaign.file = file;
   campaign.text = read_definition_text("campaign", file);
   const TomlTable root(campaign.text, file);
+  if (root.has("tank")) return campaign_of_case(root, campaign);
   root.get("schema_version", exactly(campaign_schema_version));  // another version has other rules
   Complaints complaints;
   complaints.allow(
