@@ -132,6 +132,15 @@ TEST(CampaignReport, TellsOnEachCasesPageItsOwnVerdict) {
   EXPECT_NE(report.sections[0].paragraphs[0].find("`./slosh campaign surges`"), std::string::npos);
 }
 
+TEST(CampaignReport, OfRegressionRowsAloneIsWatchedOnEveryPage) {
+  CaseAssessment watched = good();
+  for (GateOutcome& outcome : watched.gate) outcome.row.kind = RowKind::regression;
+  const reports::Report report = report_of(surge_campaign(), {watched});
+  EXPECT_EQ(report.outcome, reports::Outcome::watched);
+  EXPECT_EQ(report.pages.at(0).outcome, reports::Outcome::watched);
+  EXPECT_EQ(report.verdict.find("SPH at 10 mm against linear theory: amplitude "), 0u);
+}
+
 // Names of cases that are made of another's name and what its pages, tables and figures are called.
 TEST(CampaignReport, OfCasesNamedAsPartsOfOthersHasNoIdTwice) {
   const CaseAssessment one = good();
