@@ -1,6 +1,7 @@
 // The figures of one case's section of a report.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,7 +74,11 @@ std::vector<reports::Figure> convergence_figures(const CaseAssessment& assessmen
 // The energy budget of an SPH run.
 std::vector<reports::Figure> energy_figures(const CaseAssessment& assessment);
 
-// Error against run time, and against memory.
+// Error against run time, where speed_figure() does not show it, and against memory.
 std::vector<reports::Figure> cost_figures(const CaseAssessment& assessment);
+
+// Error against run time of a case with a speed at equal error (speed_ups.hpp), for the campaign's
+// first page; nullopt of any other.
+std::optional<reports::Figure> speed_figure(const CaseAssessment& assessment);
 
 }  // namespace slosh

@@ -11,6 +11,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/run_looks.hpp"
 #include "reports/wording/report_places.hpp"
+#include "verification/assessment/across_runs/speed_ups.hpp"
 #include "verification/assessment/observed_order.hpp"
 #include "verification/assessment/work_points.hpp"
 #include "verification/series/interval_text.hpp"
@@ -292,7 +293,21 @@ std::vector<Figure> convergence_figures(const CaseAssessment& assessment) {
 
 std::vector<Figure> cost_figures(const CaseAssessment& assessment) {
   if (judging_comparisons(assessment).empty()) return {};
-  return {figure_of(assessment, time_axis), figure_of(assessment, memory_axis)};
+  std::vector<Figure> figures{figure_of(assessment, memory_axis)};
+  if (equal_error_speeds(assessment).empty())
+    figures.insert(figures.begin(), figure_of(assessment, time_axis));
+  return figures;
+}
+
+std::optional<Figure> speed_figure(const CaseAssessment& assessment) {
+  const std::vector<EqualErrorSpeed> speeds = equal_error_speeds(assessment);
+  if (speeds.empty()) return {};
+  Figure figure = figure_of(assessment, time_axis);
+  figure.title += ": " + assessment.definition.title;
+  std::vector<std::string> texts;
+  for (const EqualErrorSpeed& speed : speeds) texts.push_back(speed_text(speed));
+  figure.caption = fmt::format("{}. {}", fmt::join(texts, "; "), figure.caption);
+  return figure;
 }
 
 }  // namespace slosh

@@ -1,6 +1,7 @@
 #include "reports/gate_documents/gate_document.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/property_tree/ptree.hpp>
@@ -108,6 +109,19 @@ struct Counts {
   }
 };
 
+std::string standings_markdown(const Table& table) {
+  if (table.rows.empty()) return "";
+  std::string text = fmt::format("\n| {} |\n|", fmt::join(table.header, " | "));
+  for (std::size_t i = 0; i < table.header.size(); ++i) text += "---|";
+  text += "\n";
+  for (const std::vector<std::string>& row : table.rows) {
+    text += "|";
+    for (const std::string& cell : row) text += fmt::format(" {} |", markdown_text(cell));
+    text += "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<const GateEntry*> worst_first(const GateDocument& document) {
@@ -124,7 +138,9 @@ std::string gate_markdown(const GateDocument& document) {
       fmt::format("## {}\n\n{}\n", markdown_text(document.title), markdown_text(document.verdict));
   for (const auto& [group, doubt] : document.doubts)
     text += fmt::format("\n{}\n", markdown_text(doubt));
-  if (!document.basis.empty()) text += fmt::format("\n{}\n", markdown_text(document.basis));
+  text += standings_markdown(document.standings);
+  for (const std::string& sentence : {document.basis, document.speed})
+    if (!sentence.empty()) text += fmt::format("\n{}\n", markdown_text(sentence));
   std::string lines;
   std::size_t passed = 0, skipped = 0;
   for (const GateEntry* entry : worst_first(document)) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "reports/model/report_model.hpp"
+
 namespace slosh::reports {
 
 enum class GateOutcomeKind {
@@ -39,7 +41,9 @@ struct GateEntry {
 struct GateDocument {
   std::string title, verdict;
   std::vector<GateEntry> entries;
-  std::string basis = {};  // what the rows are based on; may be empty
+  Table standings = {};    // a line for each case; may be without a row
+  std::string basis = {};  // how many rows hold and what they are based on; may be empty
+  std::string speed = {};  // of the codes at equal error; may be empty
   int exit_status = 0;     // that of the process
   // Whether inconclusive rows leave the exit status at 0: JUnit then calls them skipped.
   bool inconclusive_passes = false;
@@ -56,8 +60,9 @@ std::vector<const GateEntry*> worst_first(const GateDocument& document);
 // ends as gate_markdown() does.
 std::string junit_xml(const GateDocument& document);
 
-// Returns a table, worst first, of all rows except those that pass unchanged and those that are
-// skipped, which are counted. It ends with a comment that holds the exit status.
+// Returns the verdict, the table of the cases, and a table, worst first, of all rows except those
+// that pass unchanged and those that are skipped, which are counted. It ends with a comment that
+// holds the exit status.
 std::string gate_markdown(const GateDocument& document);
 
 // The comment at the end of both, and the exit status in it; nullopt for another text.

@@ -120,10 +120,11 @@ struct FieldFigure {
   bool is_animation = false;                    // its rows are shown one after the other
 };
 
-// The cells "pass", "confirmed", "FAIL", "violated", "refuted", "inconclusive", "solver failed",
-// "not compared", "no result", "not selected", "not supplied", "not decidable", "out of range",
-// "skipped" (in upper or lower case) get a sign and a colour, and so does a cell that begins with
-// such a word and ": ". Columns of numbers are aligned right.
+// The cells "pass", "confirmed", "validated", "limits kept", "watched, not validated", "FAIL",
+// "violated", "refuted", "inconclusive", "solver failed", "not compared", "no result", "not
+// selected", "not supplied", "not decidable", "out of range", "skipped" (in upper or lower case)
+// get a sign and a colour, and so does a cell that begins with such a word and ": ". Columns of
+// numbers are aligned right.
 struct Table {
   std::string id, title, caption;  // the anchor is "table-<id>"
   std::vector<std::string> header;
@@ -146,7 +147,8 @@ struct Section {
   std::string page = {};                 // the id of the page it stands on; empty: the first
 };
 
-enum class Outcome { pass, inconclusive, not_compared, fail };
+// What is watched departs no further than earlier, and nothing is validated.
+enum class Outcome { pass, watched, inconclusive, not_compared, fail };
 
 // A text that links to an anchor of the report.
 struct Link {

@@ -101,11 +101,13 @@ std::string markdown_text(const std::string& text) {
 }
 
 CellVerdict cell_verdict(const std::string& cell) {
-  static const std::set<std::string> good{"pass", "passed", "confirmed"};
+  static const std::set<std::string> good{"pass", "passed", "confirmed", "validated",
+                                          "limits kept"};
   static const std::set<std::string> bad{"fail",          "failed",       "violated", "refuted",
                                          "solver failed", "not compared", "no result"};
-  static const std::set<std::string> neutral{"not selected", "not supplied", "not decidable",
-                                             "out of range", "skipped"};
+  static const std::set<std::string> neutral{"not selected",  "not supplied",
+                                             "not decidable", "out of range",
+                                             "skipped",       "watched, not validated"};
   const std::string word = boost::to_lower_copy(boost::trim_copy(cell.substr(0, cell.find(": "))));
   if (good.contains(word)) return CellVerdict::good;
   if (bad.contains(word)) return CellVerdict::bad;
@@ -120,8 +122,11 @@ std::string verdict_sign(CellVerdict verdict) {
 }
 
 OutcomeSign outcome_sign(Outcome outcome) {
-  static const OutcomeSign signs[]{
-      {"✓", "Pass"}, {"?", "Inconclusive"}, {"✗", "Not compared"}, {"✗", "Fail"}};
+  static const OutcomeSign signs[]{{"✓", "Pass"},
+                                   {"–", "Watched, not validated"},
+                                   {"?", "Inconclusive"},
+                                   {"✗", "Not compared"},
+                                   {"✗", "Fail"}};
   return signs[static_cast<std::size_t>(outcome)];
 }
 

@@ -52,6 +52,7 @@ mustache::data outcome_data(Outcome outcome, const std::string& sentence) {
   mustache::data data;
   const auto [mark, word] = outcome_sign(outcome);
   data.set("class", outcome == Outcome::pass           ? "good"
+                    : outcome == Outcome::watched      ? "watched"
                     : outcome == Outcome::inconclusive ? "unsure"
                                                        : "bad");
   data.set("sign", mark);

@@ -11,9 +11,9 @@
 #include "reports/figures/glance_figure.hpp"
 #include "reports/figures/paper_panels.hpp"
 #include "reports/model/report_files.hpp"
+#include "reports/summary/headline.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
-#include "reports/summary/verdict_matrix.hpp"
 #include "reports/summary/worst_first.hpp"
 #include "reports/wording/report_places.hpp"
 #include "sph/threads.hpp"
@@ -54,29 +54,19 @@ int pairs_not_comparable(const std::vector<CaseAssessment>& cases) {
   return n;
 }
 
-// Links the first column to the section that `section` names for its text.
-template <class SectionOf>
-reports::Table with_first_column_linked(reports::Table table, SectionOf section) {
-  for (std::size_t i = 0; i < table.rows.size(); ++i)
-    table.links[i][0] = "section-" + section(table.rows[i][0]);
-  return table;
-}
-
-// The first page: the verdicts at a glance, the gate rows worst first, bias and scatter of the
-// models. `how_to_repeat` is shown unchanged.
+// The first page: the departures case by case, error against run time, the gate rows worst first,
+// bias and scatter of the models. `sentences` are shown unchanged.
 std::vector<reports::Section> summary_sections(const std::vector<CaseAssessment>& cases,
                                                const std::vector<ProblemAssessment>& problems,
-                                               const std::string& how_to_repeat) {
-  reports::Section gate{"gate", "Verdicts", {how_to_repeat}, {}, {}};
-  if (const VerdictMatrix matrix = verdict_matrix(shown_rows(cases)); !matrix.rows.empty())
-    gate.tables.push_back(
-        with_first_column_linked(matrix_table(matrix, "matrix", "Verdicts of the cases", "case"),
-                                 [](const std::string& name) { return case_id(name) + "-gate"; }));
-  if (const VerdictMatrix matrix = verdict_matrix(shown_rows(problems)); !matrix.rows.empty())
-    gate.tables.push_back(with_first_column_linked(
-        matrix_table(matrix, "problem-matrix", "Verdicts of the problems", "problem"),
-        [](const std::string& name) { return "problem-" + name; }));
-  if (gate.tables.empty()) gate.paragraphs.push_back("The campaign has no gate row.");
+                                               const std::string& sentences) {
+  reports::Section gate{"gate", "Verdicts", {sentences}, {}, {}};
+  reports::Table lines = headline_table(headline_lines(cases, problems));
+  if (lines.rows.empty())
+    gate.paragraphs.push_back("The campaign has no gate row that was judged.");
+  else
+    gate.tables.push_back(std::move(lines));
+  for (const CaseAssessment& one : cases)
+    if (auto figure = speed_figure(one)) gate.figures.push_back(std::move(*figure));
   std::vector<reports::Section> sections{std::move(gate)};
   if (reports::Table worst = worst_first_table(cases, problems); !worst.rows.empty())
     sections.push_back({"worst", "Gate rows, worst first", {}, {std::move(worst)}, {}});
@@ -125,7 +115,8 @@ reports::Page page_of(const CaseAssessment& assessment, const CaseCoverage& cove
       });
   if (!judged && !standing.run_failed && !standing.left_open) return page;
   page.verdict = verdict_sentence(alone);
-  page.outcome = outcome_of(exit_status(standing));
+  page.outcome =
+      is_only_watched(alone) ? reports::Outcome::watched : outcome_of(exit_status(standing));
   return page;
 }
 
@@ -227,13 +218,15 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   const auto origin = provenance("");
   reports::Report report;
   report.title = campaign.title + (quick ? " (quick form)" : "");
-  report.verdict = verdict_sentence(cases, problems) + coverage_sentence(cases);
-  report.outcome = outcome_of(exit_status(cases, problems));
+  report.verdict = headline_sentence(cases, problems);
+  report.outcome = is_only_watched(cases, problems) ? reports::Outcome::watched
+                                                    : outcome_of(exit_status(cases, problems));
   report.decision = decision_of(cases, problems);
   report.subtitle = fmt::format("{} · Slosh {} · {}", origin.at("date_utc"),
                                 origin.at("slosh_version"), origin.at("processor"));
   std::vector<std::string> sentences{
-      kinds_sentence(cases, problems), cost_sentence(cases, problems),
+      verdict_sentence(cases, problems) + coverage_sentence(cases), basis_sentence(cases, problems),
+      cost_sentence(cases, problems),
       fmt::format("Repeat this campaign with `{}`. {}.", command, campaign.source)};
   std::erase(sentences, "");
   report.sections = summary_sections(cases, problems, fmt::format("{}", fmt::join(sentences, " ")));

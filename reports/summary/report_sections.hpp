@@ -39,7 +39,7 @@ reports::Section problem_section(const ProblemAssessment& assessment);
 // why.
 reports::Section bias_section(const std::vector<PredictionSet>& sets);
 
-// The cost to reach an error in core-seconds and in memory, and the speed-up against interFoam.
+// The cost to reach an error in core-seconds and in memory.
 // Tables without a row are left out.
 std::vector<reports::Table> work_precision_tables(const CaseAssessment& assessment);
 

@@ -76,7 +76,7 @@ Json run_entry(const RunDefinition& run, const CaseRuns& runs) {
   if (const auto* sph = std::get_if<SphRun>(&run.solver)) entry.update(sph_entry(*sph));
   if (const auto* external = std::get_if<ExternalRun>(&run.solver))
     entry.update(external_entry(*external));
-  if (const auto* stored = std::get_if<StoredRun>(&run.solver))
+  if (const auto* stored = std::get_if<StoredRun>(&run.solver); stored && !stored->method.empty())
     entry.update({{"method", stored->method}, {"particle_spacing_m", stored->particle_spacing}});
   if (status.failure) entry["failure"] = failure_entry(*status.failure);
   const auto found = runs.results.find(name);

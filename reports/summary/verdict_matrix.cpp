@@ -22,28 +22,10 @@ std::string found_text(const ProblemGateOutcome& outcome) {
   return fmt::format("{:.3g}{}", outcome.value, unit == "1" ? "" : " " + unit);
 }
 
-std::string cell_text(const MatrixCell& cell) {
-  std::string rest = cell.worst.found;
-  if (cell.rows > 1) rest += fmt::format("{}worst of {}", rest.empty() ? "" : ", ", cell.rows);
-  if (cell.worst.regression) rest += rest.empty() ? "regression" : ", regression";
-  return verdict_name(cell.worst.verdict) + (rest.empty() ? "" : ": " + rest);
-}
-
-bool is_left_out(const MatrixRow& row) {
-  return std::all_of(row.cells.begin(), row.cells.end(), [](const auto& cell) {
-    return cell.second.worst.verdict == Verdict::not_selected;
-  });
-}
-
 bool is_of_mesh(const CaseDefinition& definition, const std::string& run) {
   return std::any_of(definition.runs.begin(), definition.runs.end(), [&](const auto& one) {
     return one.name == run && std::holds_alternative<InterFoamRun>(one.solver);
   });
-}
-
-std::string heading(std::string metric) {
-  std::replace(metric.begin(), metric.end(), '_', ' ');
-  return metric;
 }
 
 }  // namespace
@@ -128,42 +110,6 @@ VerdictMatrix verdict_matrix(const std::vector<ShownRow>& rows) {
     if (++cell.rows == 1 || is_worse(one, cell.worst)) cell.worst = one;
   }
   return matrix;
-}
-
-reports::Table matrix_table(const VerdictMatrix& matrix, const std::string& id,
-                            const std::string& title, const std::string& of) {
-  reports::Table table{
-      id,
-      title,
-      "Each cell shows the worst gate row of that pair and metric, its value and the half "
-      "width of its 95 % interval, and links to the row. The worst row is the one that is nearest "
-      "to its own limit or farthest beyond it. A regression row has a limit from an earlier "
-      "measurement and validates nothing.",
-      {of, "candidate", "reference"},
-      {}};
-  for (const std::string& metric : matrix.metrics) table.header.push_back(heading(metric));
-  std::size_t pairs_left_out = 0;
-  for (const MatrixRow& row : matrix.rows) {
-    if (is_left_out(row)) {
-      ++pairs_left_out;
-      continue;
-    }
-    std::vector<std::string> cells{row.name, row.candidate, row.shown_reference}, links(3);
-    for (const std::string& metric : matrix.metrics) {
-      const auto found = row.cells.find(metric);
-      const bool is_there = found != row.cells.end();
-      cells.push_back(is_there ? cell_text(found->second) : "");
-      links.push_back(is_there ? "row-" + found->second.worst.row_id : "");
-    }
-    table.rows.push_back(std::move(cells));
-    table.links.push_back(std::move(links));
-  }
-  if (pairs_left_out > 0)
-    table.caption +=
-        pairs_left_out == 1
-            ? " 1 pair without a selected row is left out."
-            : fmt::format(" {} pairs without a selected row are left out.", pairs_left_out);
-  return table;
 }
 
 }  // namespace slosh

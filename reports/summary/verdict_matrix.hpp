@@ -33,6 +33,10 @@ struct ShownRow {
   std::string row_id;   // report_places.hpp
   std::optional<ErrorOverTolerance> share = {};
 
+  // Whether the row was to be judged: it is selected, and its record is supplied.
+  bool counts() const {
+    return verdict != Verdict::not_selected && verdict != Verdict::not_supplied;
+  }
   // The far end of the 95 % interval as a share of the tolerance. Among rows of one verdict those
   // without a number come first where they do not pass, and last where they do.
   double reach() const;
@@ -61,10 +65,5 @@ struct VerdictMatrix {
 };
 
 VerdictMatrix verdict_matrix(const std::vector<ShownRow>& rows);
-
-// Each cell links to its gate row; pairs without a selected row are only counted. `id` and `title`
-// are those of the table; `of` is the heading of its first column.
-reports::Table matrix_table(const VerdictMatrix& matrix, const std::string& id,
-                            const std::string& title, const std::string& of);
 
 }  // namespace slosh

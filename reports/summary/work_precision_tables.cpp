@@ -1,5 +1,4 @@
-// What each method needs for a given error, in run time and memory, and its speed-up against
-// interFoam at the same error.
+// What each method needs for a given error, in run time and memory.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -128,34 +127,6 @@ Table cost_at_errors(const CaseAssessment& assessment, const std::vector<WorkFam
   return table;
 }
 
-std::string speed_text(const SpeedUp& found) {
-  if (std::isnan(found.value)) return "not reached";
-  const std::string text = with_range(found.value, found.spread, "times");
-  return found.reach == Reach::by_cheapest ? "at least " + text : text;
-}
-
-Table speed_table(const std::vector<WorkFamily>& families) {
-  Table table{
-      "",
-      "Speed against interFoam at the same error",
-      "The core-seconds of each mesh on interFoam's Pareto front, divided by the core-seconds "
-      "that the method needs for the same error, each against its own reference. 95 % "
-      "intervals combine all known intervals and take the errors as independent.",
-      {"method"},
-      {}};
-  for (const WorkFamily& family : families) {
-    const std::vector<SpeedUp> found = speed_ups(family, families);
-    if (found.empty()) continue;
-    if (table.header.size() == 1)
-      for (const SpeedUp& one : found)
-        table.header.push_back(fmt::format("at {} of {}", percent(one.error), one.mesh_run));
-    std::vector<std::string> row{family.name};
-    for (const SpeedUp& one : found) row.push_back(speed_text(one));
-    table.rows.push_back(std::move(row));
-  }
-  return table;
-}
-
 }  // namespace
 
 std::vector<Table> work_precision_tables(const CaseAssessment& assessment) {
@@ -163,13 +134,11 @@ std::vector<Table> work_precision_tables(const CaseAssessment& assessment) {
   if (families.empty()) return {};
   const std::string& name = assessment.definition.name;
   std::vector<Table> tables{cost_at_errors(assessment, families, time_column),
-                            cost_at_errors(assessment, families, memory_column),
-                            speed_table(families)};
+                            cost_at_errors(assessment, families, memory_column)};
   tables[0].id = case_id(name) + "-cost-to-reach";
   tables[0].title = "Run time to reach an error [core-seconds]";
   tables[1].id = case_id(name) + "-memory-to-reach";
   tables[1].title = "Memory to reach an error [MiB]";
-  tables[2].id = case_id(name) + "-speed";
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
   return tables;
 }

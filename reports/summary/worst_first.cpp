@@ -14,16 +14,12 @@
 namespace slosh {
 namespace {
 
-bool counts(Verdict verdict) {
-  return verdict != Verdict::not_selected && verdict != Verdict::not_supplied;
-}
-
 // Returns the judged rows, worst first.
 std::vector<ShownRow> judged_rows(const std::vector<CaseAssessment>& cases,
                                   const std::vector<ProblemAssessment>& problems) {
   std::vector<ShownRow> rows = shown_rows(cases);
   std::ranges::move(shown_rows(problems), std::back_inserter(rows));
-  std::erase_if(rows, [](const ShownRow& row) { return !counts(row.verdict); });
+  std::erase_if(rows, [](const ShownRow& row) { return !row.counts(); });
   std::stable_sort(rows.begin(), rows.end(), is_worse);
   return rows;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "verification/case/case_definition.hpp"
+#include "verification/case/solver_kinds.hpp"
 
 namespace slosh {
 namespace {
@@ -82,6 +83,24 @@ std::string liquid_text(const CaseDefinition& definition) {
     text += fmt::format(", obstacle {} from x = {} to {} m and from z = {} to {} m", one.name,
                         one.left, one.right, one.bottom, one.top);
   return text;
+}
+
+std::string short_text(const RunDefinition& run) {
+  const auto at_spacing = [&](const std::string& code) {
+    const std::optional<double> spacing = particle_spacing(run);
+    return spacing ? fmt::format("{} at {:.4g} mm", code, 1000 * *spacing) : code;
+  };
+  if (const auto* sph = std::get_if<SphRun>(&run.solver))
+    return at_spacing(sph->scheme == "recommended" ? "SPH" : "SPH " + sph->scheme);
+  if (const auto* mesh = std::get_if<InterFoamRun>(&run.solver))
+    return fmt::format("{} at {} x {} cells", family(run), mesh->cells_x, mesh->cells_z);
+  if (const auto* linear = std::get_if<LinearRun>(&run.solver))
+    return linear->two_layer ? "linear theory with the gas" : "linear theory";
+  if (std::holds_alternative<ViscousWaveRun>(run.solver)) return "viscous theory";
+  if (std::holds_alternative<PotentialRun>(run.solver)) return "potential flow";
+  if (const auto* record = std::get_if<RecordRun>(&run.solver))
+    return (record->earlier_run ? "the earlier record " : "the record ") + run.name;
+  return at_spacing(method_of(run).empty() ? run.name : method_of(run));
 }
 
 std::string limit_reason(const std::string& reason, const std::string& source) {

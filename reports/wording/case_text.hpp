@@ -17,6 +17,10 @@ std::string tank_text(const TankDefinition& tank);
 // Returns "0.35 m deep", the initial state where it is not at rest, and the obstacles.
 std::string liquid_text(const CaseDefinition& definition);
 
+// Returns "SPH at 5 mm", "SPH li2010 at 10 mm", "interFoam at 50 x 100 cells", "linear theory",
+// "potential flow", "the record peaks": a run as a headline names it.
+std::string short_text(const RunDefinition& run);
+
 // Returns "Peers reach 1 %. Source: Li et al. 2010.", the reason for a gate row's limit.
 std::string limit_reason(const std::string& reason, const std::string& source);
 

@@ -19,10 +19,10 @@ enum class RowBasis {
 
 RowBasis basis_of(const CaseDefinition& definition, const GateRow& row);
 
-// Counts the judged rows: those of either kind and how many of them pass, the percentage that rests
-// on an experiment, an exact solution or a tolerance of this harness, and the rows whose reference
-// has an unknown uncertainty. Returns "" where there is no row.
-std::string kinds_sentence(const std::vector<CaseAssessment>& cases,
+// Counts the judged rows by what they rest on, and those whose reference has an unknown
+// uncertainty: "Rows: 38 against exact solutions, 15 own tolerances, 16 regression, 0 experiments."
+// Returns "" where there is no row.
+std::string basis_sentence(const std::vector<CaseAssessment>& cases,
                            const std::vector<ProblemAssessment>& problems);
 
 }  // namespace slosh

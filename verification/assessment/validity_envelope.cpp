@@ -1,6 +1,7 @@
 #include "verification/assessment/validity_envelope.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numbers>
@@ -44,8 +45,10 @@ double least_detuning(const CaseDefinition& definition) {
   return std::pow(forcing_amplitude(definition) / still_surface(definition).length(), 2.0 / 3);
 }
 
-// Names a natural mode, of those that surge and roll excite, that is too near to the forcing.
-std::optional<std::string> too_near_resonance(const CaseDefinition& definition) {
+using Reasons = std::vector<std::string>;
+
+// Names the natural modes, of those that surge and roll excite, that are too near to the forcing.
+void add_too_near_resonance(const CaseDefinition& definition, Reasons& reasons) {
   const double least = least_detuning(definition);
   const auto step = static_cast<std::size_t>(excited_mode_step(definition.tank));
   for (const ForcedMode& forced : forced_modes(definition)) {
@@ -56,38 +59,44 @@ std::optional<std::string> too_near_resonance(const CaseDefinition& definition) 
       const double ratio = forcing / natural[m - 1];
       const double detuning = std::abs(ratio * ratio - 1);
       if (!(detuning >= least))
-        return fmt::format(
+        reasons.push_back(fmt::format(
             "is forced at {:.3g} times its natural mode {}: a detuning of {:.2g} where the "
             "response stays proportional to the motion from {:.2g} on",
-            ratio, m, detuning, least);
+            ratio, m, detuning, least));
     }
   }
-  return {};
 }
 
 // Why a wave is too high for a theory of small waves.
-std::optional<std::string> too_high(double valid_elevation_over_depth,
-                                    const CaseDefinition& definition, const RunResult& result) {
+Reasons too_high(double valid_elevation_over_depth, const CaseDefinition& definition,
+                 const RunResult& result) {
+  Reasons reasons;
   const double over_depth = recorded(result, "highest_elevation_over_depth");
   if (!(over_depth <= valid_elevation_over_depth))
-    return fmt::format("predicts an elevation of {:.3g} fill depths, valid to {:.3g}", over_depth,
-                       valid_elevation_over_depth);
+    reasons.push_back(fmt::format("predicts an elevation of {:.3g} fill depths, valid to {:.3g}",
+                                  over_depth, valid_elevation_over_depth));
   const double steepness = predicted_steepness(definition, result);
   if (!(steepness <= steepest_linear_wave))
-    return fmt::format("predicts a steepness k A of {:.3g}, valid to {:.3g}", steepness,
-                       steepest_linear_wave);
-  return {};
+    reasons.push_back(fmt::format("predicts a steepness k A of {:.3g}, valid to {:.3g}", steepness,
+                                  steepest_linear_wave));
+  return reasons;
+}
+
+std::optional<std::string> joined(const Reasons& reasons) {
+  if (reasons.empty()) return {};
+  return fmt::format("{}", fmt::join(reasons, "; it "));
 }
 
 std::optional<std::string> outside(const LinearRun& linear, const CaseDefinition& definition,
                                    const RunResult& result) {
-  if (auto reason = too_high(linear.valid_elevation_over_depth, definition, result)) return reason;
-  return too_near_resonance(definition);
+  Reasons reasons = too_high(linear.valid_elevation_over_depth, definition, result);
+  add_too_near_resonance(definition, reasons);
+  return joined(reasons);
 }
 
 std::optional<std::string> outside(const ViscousWaveRun& viscous, const CaseDefinition& definition,
                                    const RunResult& result) {
-  return too_high(viscous.valid_elevation_over_depth, definition, result);
+  return joined(too_high(viscous.valid_elevation_over_depth, definition, result));
 }
 
 std::optional<std::string> outside(const PotentialRun&, const CaseDefinition& definition,

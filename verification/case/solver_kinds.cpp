@@ -281,16 +281,18 @@ struct Row<StoredRun> : CommonRow {
                                    .takes_outline = true,
                                    .declares_quantities = true};
   static std::string family(const RunDefinition& run) {
-    return std::get<StoredRun>(run.solver).method;
+    const std::string& method = std::get<StoredRun>(run.solver).method;
+    return method.empty() ? run.name : method;
   }
   static double resolution(const StoredRun& stored) {
-    return std::pow(stored.particle_spacing, -2);
+    return stored.particle_spacing > 0 ? std::pow(stored.particle_spacing, -2) : 0;
   }
   static std::optional<double> particle_spacing(const StoredRun& stored) {
-    return stored.particle_spacing;
+    return stored.particle_spacing > 0 ? std::optional(stored.particle_spacing) : std::nullopt;
   }
   static std::string method_of(const StoredRun& stored) { return stored.method; }
   static std::string named(const StoredRun& stored, const char* mark) {
+    if (stored.method.empty()) return "stored result";
     return fmt::format("stored result, method {0}{1}{0}, spacing {2:.4g} mm", mark, stored.method,
                        1000 * stored.particle_spacing);
   }

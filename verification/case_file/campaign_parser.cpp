@@ -191,6 +191,15 @@ ProblemDefinition read_problem(const TomlTable& table, const std::vector<KnownPr
   return problem;
 }
 
+// A case that stands for a campaign of its own.
+CampaignDefinition campaign_of_case(const TomlTable& root, CampaignDefinition campaign) {
+  campaign.name = root.get("name", file_safe_name());
+  campaign.title = root.get("title", any_text());
+  campaign.source = root.get("source", any_text());
+  campaign.cases = {campaign.file};
+  return campaign;
+}
+
 }  // namespace
 
 const FieldTable<TimingDefinition> timing_table{
@@ -209,6 +218,7 @@ CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_dire
   campaign.file = file;
   campaign.text = read_definition_text("campaign", file);
   const TomlTable root(campaign.text, file);
+  if (root.has("tank")) return campaign_of_case(root, campaign);
   root.get("schema_version", exactly(campaign_schema_version));  // another version has other rules
   Complaints complaints;
   complaints.allow(

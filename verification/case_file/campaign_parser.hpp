@@ -11,7 +11,8 @@
 
 namespace slosh {
 
-// Finds the case files but does not read them. Throws CaseFileError.
+// Finds the case files but does not read them. A case file is read as the campaign of this case
+// alone, with its name. Throws CaseFileError.
 CampaignDefinition read_campaign(const std::filesystem::path& file,
                                  const std::filesystem::path& case_directory,
                                  const std::vector<KnownProblem>& known_problems);

@@ -11,6 +11,7 @@
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
+#include "verification/case_file/plain_table.hpp"
 #include "verification/input/input_files.hpp"
 #include "verification/input/units.hpp"
 
@@ -92,10 +93,10 @@ std::vector<std::string> read_command(const TomlTable& run, const char* key) {
 }
 
 // A method's runs are told apart by their spacings, and a spacing alone is of no use.
-void refuse_half_a_method(const TomlTable& run, const ExternalRun& external) {
-  if (external.particle_spacing && external.method.empty())
+void refuse_half_a_method(const TomlTable& run) {
+  if (run.has("particle_spacing_m") && !run.has("method"))
     run.refuse("method", "the name of the method, beside particle_spacing_m");
-  if (!external.method.empty() && !external.particle_spacing)
+  if (run.has("method") && !run.has("particle_spacing_m"))
     run.refuse("particle_spacing_m", "the method's spacing in this run, in m, beside method");
 }
 
@@ -218,13 +219,18 @@ const FieldTable<StoredRun> stored_table{
         "A result that another code left elsewhere: it is read, and no program is started. See "
         "[Stored results](other_solvers.md#stored-results).",
         {}, {"stored"}),
-    {field("method", &StoredRun::method, name(), yes, "The same as for an external run."),
+    {{{"file", text("path, relative to the case file"), where("without series"),
+       "A plain table: its columns t and elevation@GAUGE, force_x, ..., or t and one more."}},
+     field("method", &StoredRun::method, name(), beside("particle_spacing_m").when({}),
+           "The same as for an external run."),
      field("particle_spacing_m", &StoredRun::particle_spacing,
-           number("m").above(0).at_most(fill_depth).by(a_particle_spacing), yes,
+           number("m").above(0).at_most(fill_depth).by(a_particle_spacing),
+           beside("method").when({}),
            "The spacing of the particles, another one in each run of the method."),
-     {{"facts", text("path, relative to the case file"), yes,
-       "A JSON file: which code, when and on which machine, and what the run took."}},
-     {{"series", tables("[[run.series]]"), yes, "One table or more, below."}}}};
+     {{"facts", text("path, relative to the case file"), no,
+       "A JSON file: which code, when and on which machine, and what the run took. Default: its "
+       "cost is not known."}},
+     {{"series", tables("[[run.series]]"), where("without file"), "One table or more, below."}}}};
 
 const FieldTable<SeriesSource> series_table{
     {"run.series", "[[run.series]]", "with solver = \"external\" or \"stored\", one or more",
@@ -256,7 +262,7 @@ const FieldTable<SeriesSource> series_table{
 ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition) {
   ExternalRun external{};
   external_table.read_into(run, definition, external);
-  refuse_half_a_method(run, external);
+  refuse_half_a_method(run);
   external.command = read_command(run, "command");
   if (run.has("version_command")) external.version_command = read_command(run, "version_command");
   if (const auto directory = run.find("directory", any_text())) {
@@ -285,8 +291,13 @@ ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& defini
 StoredRun read_stored_run(const TomlTable& run, const CaseDefinition& definition) {
   StoredRun stored{};
   stored_table.read_into(run, definition, stored);
-  stored.series = read_all_series(run, definition, Files::beside_case_file);
-  stored.facts = stored_file(run, "facts", definition);
+  refuse_half_a_method(run);
+  if (run.has("file") && run.has("series"))
+    run.refuse("file", "no file beside [[run.series]], or no [[run.series]] beside it");
+  stored.series = run.has("file")
+                      ? series_of_table(stored_file(run, "file", definition), definition)
+                      : read_all_series(run, definition, Files::beside_case_file);
+  if (run.has("facts")) stored.facts = stored_file(run, "facts", definition);
   return stored;
 }
 

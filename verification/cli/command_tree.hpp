@@ -20,6 +20,14 @@ namespace slosh {
 inline constexpr const char* not_printed =
     "standard output: expected a place that takes all that is printed";
 
+// What the tool says where nothing is asked of it.
+inline constexpr const char* first_steps =
+    "./slosh new my_tank --minimal                  writes a case file of a tank to edit\n"
+    "./slosh check my_tank.toml                     says what is wrong or doubtful in it\n"
+    "./slosh campaign my_tank.toml                  runs, compares and judges it, with a report\n"
+    "./slosh compare mine.csv --case my_tank.toml   sets a series of your own against its theory\n"
+    "./slosh --help                                 lists all commands\n";
+
 // Returns the exit status.
 using Action = std::function<int()>;
 

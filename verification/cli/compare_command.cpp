@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -15,19 +16,25 @@
 #include <optional>
 
 #include "reports/summary/results_json.hpp"
+#include "verification/assessment/validity_envelope.hpp"
 #include "verification/case/quantities.hpp"
+#include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
+#include "verification/case_file/plain_table.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/limit_option.hpp"
 #include "verification/cli/stored_run.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/files/own_files.hpp"
+#include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/gate/measured_value.hpp"
 #include "verification/import/import_series.hpp"
 #include "verification/input/nearest_name.hpp"
 #include "verification/metrics/comparison.hpp"
 #include "verification/results/result_file.hpp"
+#include "verification/runs/run_case.hpp"
+#include "verification/solvers/external_facts.hpp"
 #include "verification/texts/assessment_text.hpp"
 #include "verification/texts/impact_text.hpp"
 
@@ -221,18 +228,54 @@ void keep_freed_memory() {
   mallopt(M_TRIM_THRESHOLD, -1);
 }
 
+constexpr const char* hdf5_mark = "\x89HDF";
+
+// A result file, or a plain table whose columns the case tells.
+RunResult named_candidate(const CompareOptions& options,
+                          const std::optional<CaseDefinition>& definition) {
+  std::string begin(4, ' ');
+  std::ifstream(options.candidate, std::ios::binary).read(begin.data(), 4);
+  if (!definition || begin == hdf5_mark || options.candidate.extension() == ".h5")
+    return named_result(options.candidate);
+  protect_input(options.candidate);
+  RunResult result;
+  for (const SeriesSource& source : series_of_table(options.candidate, *definition))
+    add_imported(import_with_seams(source), result);
+  return result;
+}
+
+// The case's first theory of the liquid, or else its first theory, computed.
+RunResult theory_of(const CaseDefinition& definition) {
+  const RunDefinition* theory = nullptr;
+  for (const RunDefinition& run : definition.runs)
+    if (is_theory(run) && (!theory || (sees_gas(*theory) && !sees_gas(run)))) theory = &run;
+  if (!theory)
+    throw CaseFileError(fmt::format(
+        "reference is missing: expected a result file, or a case with a theory; {} has none",
+        definition.file.string()));
+  RunSettings settings;
+  settings.with_left_out = false;
+  RunResult result = execute(definition, *theory, settings, [](double, double) {});
+  if (const auto outside = outside_validity(definition, *theory, result))
+    std::cout << fmt::format("doubtful: {} is outside its range: it {}\n", theory->name, *outside);
+  return result;
+}
+
 struct ComparedFiles {
   Comparison comparison;
   std::string impacts;  // impact_lines(), of a case whose impacts are in the quantity
 };
 
 ComparedFiles compared(const CompareOptions& options, const Installation& installation) {
-  const RunResult candidate = named_result(options.candidate);
-  const RunResult reference = named_result(options.reference);
-  const std::string quantity = compared_quantity(options, candidate, reference);
   std::optional<CaseDefinition> definition;
   if (!options.case_name.empty())
     definition = read_case(find_case(options.case_name, installation.cases));
+  if (options.reference.empty() && !definition)
+    throw CaseFileError("reference is missing: expected a result file, or --case with a theory");
+  const RunResult candidate = named_candidate(options, definition);
+  const RunResult reference =
+      options.reference.empty() ? theory_of(*definition) : named_result(options.reference);
+  const std::string quantity = compared_quantity(options, candidate, reference);
   const TimeSeries& of_candidate = series_of(candidate, options.candidate, quantity);
   const TimeSeries& of_reference = series_of(reference, options.reference, quantity);
   const TimeWindow window = window_of(options, definition, of_candidate, of_reference);
@@ -243,7 +286,8 @@ ComparedFiles compared(const CompareOptions& options, const Installation& instal
   Comparison comparison =
       compare(PreparedSeries("candidate", of_candidate, window, modes), prepared);
   comparison.candidate = options.candidate.string();
-  comparison.reference = options.reference.string();
+  comparison.reference =
+      options.reference.empty() ? reference.run_name : options.reference.string();
   return {std::move(comparison), definition && has_impacts(*definition, quantity)
                                      ? impact_lines(*definition, of_candidate, of_reference)
                                      : ""};
@@ -266,12 +310,16 @@ int compare_results(const CompareOptions& options, const Installation& installat
 }
 
 void add_compare_options(CLI::App& command, CompareOptions& options) {
-  command.add_option("candidate", options.candidate, "A result file")
+  command
+      .add_option("candidate", options.candidate,
+                  "A result file, or with --case a table with the columns t and elevation@GAUGE, "
+                  "force_x, ..., or t and one more")
       ->type_name(file_type)
       ->required();
-  command.add_option("reference", options.reference, "A result file")
-      ->type_name(file_type)
-      ->required();
+  command
+      .add_option("reference", options.reference,
+                  "A result file (default: the first theory of --case, computed)")
+      ->type_name(file_type);
   CLI::Option* gauge = command.add_option("--gauge", options.gauge, "Compares elevation@GAUGE");
   command.add_option("--quantity", options.quantity, "Compares this series")->excludes(gauge);
   CLI::Option* of_case = command

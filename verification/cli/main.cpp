@@ -88,6 +88,10 @@ int dispatch(int argc, char** argv) {
   const slosh::Installation data = installation();
   CLI::App app{"Verifies and validates SPH on sloshing tanks against theory and interFoam.",
                "./slosh"};
+  if (argc == 1) {
+    std::cout << slosh::first_steps;
+    return slosh::exit_usage;
+  }
   slosh::Action action;
   slosh::add_all_commands({app, data, stop_requested, stop_on_signals, action});
   try {

@@ -36,7 +36,7 @@ inline AskStyle style_now_of(int descriptor) {
 
 // ANSI X3.64 (ECMA-48) sequences.
 inline constexpr const char *green = "\033[32m", *red = "\033[31m", *yellow = "\033[33m",
-                            *normal = "\033[0m";
+                            *blue = "\033[34m", *normal = "\033[0m";
 
 class ProgressDisplay {
  public:

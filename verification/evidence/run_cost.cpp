@@ -70,6 +70,9 @@ void require_timings(const WorkFamily& family, const CostAtError& found) {
 }
 
 std::string measured_elsewhere(const RunResult& result) {
+  if (result.cost.core_seconds() == 0)
+    return fmt::format("stored result of {}: its cost is not known",
+                       result.provenance.at("stored_software"));
   return fmt::format("stored result of {}: its cost was measured on another machine, {}",
                      result.provenance.at("stored_software"),
                      result.provenance.at("stored_machine"));

@@ -1,6 +1,7 @@
 #include "verification/runs/run_case.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,11 @@
 #include "sph/simulation.hpp"
 #include "verification/case/changed_input.hpp"
 #include "verification/case/ensemble.hpp"
+#include "verification/case/metric_table.hpp"
+#include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/files/own_files.hpp"
+#include "verification/input/nearest_name.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/runs/filtered_pressures.hpp"
 #include "verification/runs/fitting_spacing.hpp"
@@ -93,7 +97,58 @@ RunResult run_chosen_solver(const RunRequest& request) try {
   throw SolverError(error.what());
 }
 
+const std::vector<std::string> sph_series{"kinetic_energy",
+                                          "potential_energy",
+                                          "internal_energy",
+                                          "wall_work",
+                                          "dissipated_energy",
+                                          "energy_residual",
+                                          "mach_number",
+                                          "density_error",
+                                          "tension_share",
+                                          "packing_drift",
+                                          "hydrostatic_pressure_error",
+                                          "kinetic_over_potential_energy",
+                                          "wall_gap",
+                                          "volume_drift"};
+const std::vector<std::string> interfoam_series{"liquid_volume"};
+
+// The series that a run may leave. Which of them a theory has, and SPH of water at rest, is known
+// after the run alone.
+std::vector<std::string> possible_series(const CaseDefinition& definition,
+                                         const RunDefinition& run) {
+  std::vector<std::string> names;
+  const auto add_declared = [&](const auto& solver) {
+    if constexpr (requires { solver.series; })
+      for (const SeriesSource& one : solver.series)
+        names.insert(names.end(), {one.quantity, one.quantity + through_filter});
+    if constexpr (requires { solver.quantity; })
+      names.insert(names.end(), {solver.quantity, solver.quantity + through_filter});
+  };
+  std::visit(add_declared, run.solver);
+  if (solver_kind(run).declares_quantities || is_record(run)) return names;
+  names = compared_quantities(definition);
+  const bool is_sph = std::holds_alternative<SphRun>(run.solver),
+             is_mesh = std::holds_alternative<InterFoamRun>(run.solver);
+  if (is_sph) names.insert(names.end(), sph_series.begin(), sph_series.end());
+  if (is_mesh) names.insert(names.end(), interfoam_series.begin(), interfoam_series.end());
+  return names;
+}
+
 }  // namespace
+
+void require_series(const CaseDefinition& definition, const GateRow& row) {
+  if (is_of_fields(row.metric)) return;
+  for (const std::string& name : {row.candidate, row.reference}) {
+    if (name.empty()) continue;
+    const std::vector<std::string> names = possible_series(definition, run_named(definition, name));
+    if (std::find(names.begin(), names.end(), row.quantity) == names.end())
+      throw CaseFileError(
+          fmt::format("{}:{}: quantity = \"{}\": expected one that the run {} has, of {}{}",
+                      row.where.file, row.where.line, row.quantity, name, fmt::join(names, ", "),
+                      nearest_text(row.quantity, names)));
+  }
+}
 
 void require_runnable(const CaseDefinition& definition, const RunDefinition& run) {
   const CaseDefinition solved = definition_solved_by(run, definition);

@@ -30,6 +30,10 @@ namespace slosh {
 // a record that is not supplied.
 void require_runnable(const CaseDefinition& definition, const RunDefinition& run);
 
+// Throws CaseFileError (file:line) where the row's candidate, or its reference, leaves no series of
+// the row's quantity, whatever happens in the run.
+void require_series(const CaseDefinition& definition, const GateRow& row);
+
 // Executes the run and returns its result. Throws CaseFileError (file:line) for a case or settings
 // that the solver does not take and for a record that is not supplied, SolverError where the solver
 // fails, and ResultError where a snapshot cannot be written.

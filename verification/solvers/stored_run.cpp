@@ -16,7 +16,12 @@ RunResult run_solver(const StoredRun& stored, const RunRequest& request) try {
   require_scene(stored, request.definition, request.run);
   RunResult result;
   for (const SeriesSource& source : stored.series) add_imported(import_with_seams(source), result);
-  add_stored_facts(stored.facts, request.definition.duration, result);
+  if (stored.facts.empty())
+    result.provenance = {{"stored_software", stored.series.front().file.filename().string()},
+                         {"stored_date", "date not given"},
+                         {"stored_machine", "machine not given"}};
+  else
+    add_stored_facts(stored.facts, request.definition.duration, result);
   result.active_terms = {"stored result of " + result.provenance.at("stored_software")};
   request.progress(request.definition.duration, result.cost.steps);
   return result;
@@ -25,7 +30,8 @@ RunResult run_solver(const StoredRun& stored, const RunRequest& request) try {
 }
 
 std::vector<std::filesystem::path> stored_files(const StoredRun& stored) {
-  std::vector<std::filesystem::path> files{stored.facts};
+  std::vector<std::filesystem::path> files;
+  if (!stored.facts.empty()) files.push_back(stored.facts);
   for (const SeriesSource& source : stored.series)
     for (const std::filesystem::path& file : series_files(source.file)) files.push_back(file);
   return files;

@@ -106,6 +106,7 @@ const std::vector<std::string> lines{
     "explain --schema campaign",
     "new my_tank --like ./small.toml",
     "check ./my_tank.toml",
+    "new my_surge --minimal",
     "case ./small.toml --for csv -o tables",
     "case ./small.toml --for pysph --spacing 0.05 -o for_pysph",
     "case ./small.toml --for openfoam -o for_openfoam",

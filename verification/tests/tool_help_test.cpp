@@ -42,6 +42,15 @@ class ToolHelp : public SmallCampaign {
   }
 };
 
+TEST_F(ToolHelp, ShowsFiveLinesToBeginWithWhereNothingIsAsked) {
+  const Ended alone = tool({});
+  EXPECT_EQ(alone.status, exit_usage);
+  const std::vector<std::string> shown = lines_of(alone.out);
+  ASSERT_EQ(shown.size(), 5u);
+  for (const std::string& line : shown) EXPECT_TRUE(line.starts_with("./slosh ")) << line;
+  EXPECT_TRUE(holds(shown[0], "new my_tank --minimal"));
+}
+
 TEST_F(ToolHelp, GivesEveryCommandExamplesThatRun) {
   write("slosh", "#!/bin/sh\nexec '" SLOSH_TOOL "' \"$@\"\n");
   std::filesystem::permissions(directory() / "slosh", std::filesystem::perms::owner_all);

@@ -15,12 +15,19 @@ namespace {
 
 // Returns the words with which a line of a verdict may begin, and their colours.
 std::vector<std::pair<std::string, const char*>> coloured_words() {
-  return {
-      {verdict_name(Verdict::pass), green},          {verdict_name(Verdict::violated), red},
-      {verdict_name(Verdict::solver_failed), red},   {verdict_name(Verdict::inconclusive), yellow},
-      {verdict_name(Verdict::not_compared), yellow}, {headline_word(exit_pass), green},
-      {headline_word(exit_violated), red},           {headline_word(exit_inconclusive), yellow},
-      {headline_word(exit_not_compared), yellow}};
+  return {{verdict_name(Verdict::pass), green},
+          {verdict_name(Verdict::violated), red},
+          {verdict_name(Verdict::solver_failed), red},
+          {verdict_name(Verdict::inconclusive), yellow},
+          {verdict_name(Verdict::not_compared), yellow},
+          {headline_word(exit_pass), green},
+          {headline_word(exit_violated), red},
+          {headline_word(exit_inconclusive), yellow},
+          {headline_word(exit_not_compared), yellow},
+          {"validated", green},
+          {"limits kept", green},
+          {"watched, not validated", blue},
+          {"WATCHED, NOT VALIDATED", blue}};
 }
 
 std::string coloured(const std::string& line) {

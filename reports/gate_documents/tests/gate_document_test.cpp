@@ -174,13 +174,19 @@ TEST(GateDocument, HoldsNoTagOfANameInItsMarkdown) {
 
 TEST(GateDocument, TellsInMarkdownEachRowsKindAndUncertaintiesAndWhatTheRowsRestOn) {
   GateDocument gate = document();
-  gate.basis = "Validation rows: 1 of 4 pass; regression rows: 1 of 2.";
+  gate.basis = "Rows: 1 against exact solutions.";
+  gate.speed = "SPH: 5 times the speed of interFoam.";
+  gate.standings = {"headline", "", "", {"case", "rms"}, {{"surge | roll", "5 %"}}};
   for (GateEntry& one : gate.entries) {
     one.kind = "validation";
     one.uncertainties = "u_num 1 %, u_input unknown, u_reference 2 %";
   }
   const std::string text = gate_markdown(gate);
-  EXPECT_NE(text.find("2 of 5 gate rows hold.\n\nValidation rows: 1 of 4 pass"), text.npos) << text;
+  EXPECT_NE(
+      text.find("2 of 5 gate rows hold.\n\n| case | rms |\n|---|---|\n| surge \\| roll | 5 % |\n\n"
+                "Rows: 1 against exact solutions.\n\nSPH: 5 times the speed"),
+      text.npos)
+      << text;
   EXPECT_NE(text.find("| **violated** | validation | surge &amp; roll | broken |"), text.npos)
       << text;
   EXPECT_NE(text.find("| u\\_num 1 %, u\\_input unknown, u\\_reference 2 % |"), text.npos) << text;

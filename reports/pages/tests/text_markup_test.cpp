@@ -48,6 +48,8 @@ TEST(CellVerdicts, AreReadInAnyCaseAndOnlyFromTheWholeCell) {
   EXPECT_EQ(cell_verdict("pass"), CellVerdict::good);
   EXPECT_EQ(cell_verdict("PASS"), CellVerdict::good);
   EXPECT_EQ(cell_verdict("Confirmed"), CellVerdict::good);
+  EXPECT_EQ(cell_verdict("validated"), CellVerdict::good);
+  EXPECT_EQ(cell_verdict("watched, not validated"), CellVerdict::neutral);
   for (const char* bad :
        {"FAIL", "violated", "solver failed", "Not compared", "no result", "refuted"}) {
     EXPECT_EQ(cell_verdict(bad), CellVerdict::bad) << bad;

@@ -62,10 +62,14 @@ TEST(WrittenReport, HasUniqueIdsAndNoLinkToNowhereInItsPage) {
 TEST(WrittenReport, StandsAloneAndTellsItsVerdictBeforeAllElse) {
   const ScratchDirectory scratch;
   Report report = sample_report();
-  for (const auto& [outcome, shown] : {std::pair{Outcome::pass, "</span> Pass</strong>"},
-                                       {Outcome::inconclusive, "</span> Inconclusive</strong>"},
-                                       {Outcome::not_compared, "</span> Not compared</strong>"},
-                                       {Outcome::fail, "</span> Fail</strong>"}}) {
+  for (const auto& [outcome, shown] :
+       {std::pair{Outcome::pass, "</span> Pass</strong>"},
+        {Outcome::watched,
+         "verdict watched\"><strong><span aria-hidden=\"true\">–</span> "
+         "Watched, not validated</strong>"},
+        {Outcome::inconclusive, "</span> Inconclusive</strong>"},
+        {Outcome::not_compared, "</span> Not compared</strong>"},
+        {Outcome::fail, "</span> Fail</strong>"}}) {
     report.outcome = outcome;
     write_report(report, scratch / "report");
     const std::string page = read_text(scratch / "report/index.html");

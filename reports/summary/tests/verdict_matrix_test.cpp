@@ -1,4 +1,4 @@
-// The matrix of verdicts, the list of the worst rows, and what orders both.
+// The matrix of verdicts, the headline, the list of the worst rows, and what orders them.
 #include "reports/summary/verdict_matrix.hpp"
 
 #include <gtest/gtest.h>
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/summary/headline.hpp"
 #include "reports/summary/worst_first.hpp"
 #include "verification/tests/surge_results.hpp"
 
@@ -103,21 +104,7 @@ TEST(VerdictMatrix, CallsTheRowWorstWhoseIntervalReachesFarthestAsTheListOfAllRo
   EXPECT_EQ(worst_first_table(cases, {}).links.at(0).at(0), "row-small_surge-2");
 }
 
-TEST(VerdictMatrix, TellsARegressionAndThatImpactsAreJudgedAgainstPublishedOnes) {
-  GateOutcome known = outcome(Verdict::pass, 0.0123, 0.004);
-  known.row.kind = RowKind::regression;
-  GateOutcome impact = outcome(Verdict::violated, 0.4);
-  impact.row.metric = Metric::impact_peak_error;
-  impact.row.reference.clear();
-  GateOutcome own = outcome(Verdict::pass, 0.001);
-  own.row.metric = Metric::initial_value;
-  own.row.reference.clear();
-  const reports::Table table =
-      matrix_table(verdict_matrix(shown_rows({with_gate({known, impact, own})})), "m", "M", "case");
-  ASSERT_EQ(table.rows.size(), 3u);
-  EXPECT_EQ(table.rows[0][3], "pass: 1.2 ± 0.4 %, regression");
-  EXPECT_EQ(table.rows[1][2], "published impacts");
-  EXPECT_EQ(table.rows[2][2], "none");
+TEST(ShownRows, HaveAPValueBelowItsHalfWidthAsABound) {
   GateOutcome unequal = outcome(Verdict::violated, 1e-4, 2.84e-4);  // as its message has it
   unequal.row.metric = Metric::peak_ks_p_value;
   unequal.row.limit.reset();
@@ -125,30 +112,70 @@ TEST(VerdictMatrix, TellsARegressionAndThatImpactsAreJudgedAgainstPublishedOnes)
   EXPECT_EQ(shown_rows({with_gate({unequal})})[0].found, "at most 0.0384 %");
 }
 
-TEST(VerdictMatrix, HasARowForEachPairAndAnEmptyCellWhereNoGateRowStands) {
-  GateOutcome mesh = outcome(Verdict::inconclusive, 0.04, 0.02);
+TEST(Headline, SaysByHowMuchAndAgainstWhatAsTheRowsJudge) {
+  GateOutcome lag = outcome(Verdict::pass, 0.5, 0.1);
+  lag.row.metric = Metric::phase_lag;
+  lag.row.unit = "deg";
+  GateOutcome mesh = outcome(Verdict::pass, 0.02, 0.001);
   mesh.row.candidate = "fine_mesh";
-  mesh.row.metric = Metric::frequency_error;
-  const reports::Table table = matrix_table(
-      verdict_matrix(shown_rows({with_gate({outcome(Verdict::pass, 0.0123, 0.004), mesh})})), "m",
-      "M", "case");
-  ASSERT_EQ(table.rows.size(), 2u);
-  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"small_surge", "particles", "theory",
-                                                     "pass: 1.2 ± 0.4 %", ""}));
-  EXPECT_EQ(table.rows[1][4], "inconclusive: 4.0 ± 2.0 %");
-  EXPECT_EQ(table.links[1][4], "row-small_surge-2");
-  EXPECT_EQ(table.links[1][3], "");
+  mesh.row.reference = "theory_with_gas";
+  const std::vector<CaseAssessment> cases{
+      with_gate({outcome(Verdict::pass, 0.0123, 0.004), lag, mesh})};
+  EXPECT_EQ(headline_sentence(cases, {}),
+            "SPH at 10 mm against linear theory: amplitude 1.2 ± 0.4 %, lag 0.50 ± 0.10 deg; "
+            "interFoam at 50 x 100 cells against linear theory with the gas: amplitude 2.00 ± 0.10 "
+            "%.");
+  const auto lines = headline_lines(cases, {});
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].standing, "validated");
+  EXPECT_EQ(lines[0].row_id, "small_surge-2") << "the nearest to its limit";
+  EXPECT_EQ(headline_word(exit_pass, cases, {}), "PASS");
 }
 
-TEST(VerdictMatrix, ShowsARowThatCouldNotBeJudgedAndCountsWhatTheQuickFormLeavesOut) {
-  GateOutcome skipped = outcome(Verdict::not_selected, nan);
-  skipped.row.candidate = "fine_mesh";
-  const reports::Table table = matrix_table(
-      verdict_matrix(shown_rows({with_gate({outcome(Verdict::not_compared, nan), skipped})})), "m",
-      "M", "case");
-  ASSERT_EQ(table.rows.size(), 1u);
-  EXPECT_EQ(table.rows[0][3], "not compared");
-  EXPECT_NE(table.caption.find("1 pair without a selected row is left out."), std::string::npos);
+TEST(Headline, ComparesTheRunsWhereNoRowJudgesANumber) {
+  CaseDefinition definition = surge_case();
+  definition.gate = {surge_row("forced", Metric::phase_lag, "deg", 2)};
+  CaseRuns runs = surge_runs_with("particles", scaled(elevation_of({}), 1.02));
+  const auto lines = headline_lines({assess(definition, runs)}, {});
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].amplitude, "2 %");
+  EXPECT_EQ(lines[0].rms.find("2"), 0u) << lines[0].rms;
+}
+
+TEST(Headline, OfRegressionRowsAloneIsWatchedAndNoPass) {
+  GateOutcome known = outcome(Verdict::pass, 0.0123, 0.004);
+  known.row.kind = RowKind::regression;
+  GateOutcome own = outcome(Verdict::pass, 0.001);  // a limit of its own validates nothing
+  own.row.metric = Metric::noise_share;
+  own.row.reference.clear();
+  const std::vector<CaseAssessment> watched{with_gate({known, own})};
+  EXPECT_EQ(headline_lines(watched, {}).at(0).standing, "watched, not validated");
+  EXPECT_EQ(headline_word(exit_pass, watched, {}), "WATCHED, NOT VALIDATED");
+  EXPECT_EQ(headline_lines({with_gate({own})}, {}).at(0).standing, "limits kept");
+  EXPECT_EQ(headline_word(exit_pass, {with_gate({own})}, {}), "PASS");
+  const std::vector<CaseAssessment> both{watched[0], with_gate({outcome(Verdict::pass, 0.01)})};
+  EXPECT_EQ(headline_word(exit_pass, both, {}), "PASS");
+  known.verdict = Verdict::violated;
+  EXPECT_EQ(headline_word(exit_violated, {with_gate({known})}, {}), "FAIL");
+}
+
+TEST(Headline, LeadsWithTheRunThatARowObjectsTo) {
+  GateOutcome coarse = outcome(Verdict::violated, 0.2, 0.01);
+  CaseAssessment bad = with_gate({outcome(Verdict::pass, 0.01), coarse});
+  RunDefinition run = run_named(bad.definition, "particles");
+  run.name = "coarse_particles";
+  std::get<SphRun>(run.solver).particle_spacing = 0.025;
+  bad.definition.runs.push_back(run);
+  bad.gate[1].row.candidate = run.name;
+  bad.definition.name = "another_surge";
+  EXPECT_EQ(headline_sentence({with_gate({outcome(Verdict::pass, 0.01)}), bad}, {}),
+            "SPH at 25 mm against linear theory: amplitude 20.0 ± 1.0 %.");
+  EXPECT_EQ(headline_lines({bad}, {}).at(0).standing, "violated");
+  const double nan_value = nan;
+  EXPECT_EQ(
+      headline_lines({with_gate({outcome(Verdict::not_compared, nan_value)})}, {}).at(0).standing,
+      "not compared");
+  EXPECT_EQ(headline_sentence({}, {}), "0 of 0 gate rows hold.");
 }
 
 TEST(WorstFirst, IsByVerdictAndThenByHowFarTheIntervalReaches) {

@@ -24,6 +24,22 @@ struct SpeedUp {
   Reach reach;           // by_cheapest: the value is a lower bound
 };
 
+// How many times the speed of interFoam a method has where both have the same error: the smallest
+// that both reach with runs of theirs, which is that of the less accurate one's finest run.
+struct EqualErrorSpeed {
+  std::string family;
+  double error;
+  double value;      // core-seconds of interFoam over the family's
+  double spread;     // half width of ln value: of costs, and of errors in another window
+  bool is_repeated;  // the costs behind it were measured twice or more, alone on a core
+};
+
+// One for each stated family of SPH and of other codes; none where no such error is there.
+std::vector<EqualErrorSpeed> equal_error_speeds(const CaseAssessment& assessment);
+
+// Returns "SPH: 7.1 times the speed of interFoam at equal error (9.4 %), 5.0 to 10".
+std::string speed_text(const EqualErrorSpeed& speed);
+
 // Compares a family with each mesh of interFoam's Pareto front. Returns none where the case has no
 // interFoam run, and for interFoam itself.
 std::vector<SpeedUp> speed_ups(const WorkFamily& family, const std::vector<WorkFamily>& families);

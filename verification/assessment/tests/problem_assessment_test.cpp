@@ -132,7 +132,7 @@ TEST(ProblemAssessment, IsASectionOfTheReportWithItsErrorsAndLimits) {
   EXPECT_NO_THROW(reports::check_report(report));
   EXPECT_EQ(report.outcome, reports::Outcome::pass);
   ASSERT_EQ(report.sections.size(), 3u);
-  EXPECT_EQ(report.sections[0].tables.at(0).id, "problem-matrix");
+  EXPECT_EQ(report.sections[0].tables.at(0).id, "headline");
   EXPECT_EQ(report.sections[1].tables.at(0).rows.size(), 4u);  // worst first
   ASSERT_EQ(report.pages.size(), 1u);
   EXPECT_EQ(report.pages[0].id, "problems");

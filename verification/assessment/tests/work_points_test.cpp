@@ -13,6 +13,7 @@
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
 #include "reports/tables/case_tables.hpp"
+#include "verification/assessment/across_runs/speed_ups.hpp"
 #include "verification/sensitivity/gate_sensitivity.hpp"
 #include "verification/tests/figure_results.hpp"
 
@@ -349,26 +350,80 @@ TEST(CostTable, TellsWhatEachErrorCostsAndWhereItIsNotReached) {
             "once, while other runs were running");
 }
 
-TEST(SpeedTable, SetsEachMethodAgainstInterFoamAtTheMeshesError) {
-  CaseDefinition definition = surge_case();
-  definition.gate.clear();
-  CaseRuns runs = surge_runs();
-  const auto higher_by = [](double factor, const Theory& theory) {
-    return scaled(elevation_of(theory), factor);
+// SPH at 20, 10 and 5 % in 1, 8 and 64 s; a mesh at 16 and 8 % in 40 and 80 s.
+CaseAssessment beside_meshes(std::vector<ScaledRun> runs) {
+  runs.push_back({"coarse_mesh", InterFoamRun{50, 50, 1}, 1.16, cost(40)});
+  runs.push_back({"fine_mesh", InterFoamRun{50, 100, 1}, 1.08, cost(80)});
+  return assess_scaled(runs);
+}
+
+TEST(SpeedAtEqualError, IsAtTheSmallestErrorThatBothCurvesReach) {
+  const std::vector<ScaledRun> particles{
+      {"coarse", SphRun{"recommended", 0.02, 0.02}, 1.2, cost(1)},
+      {"medium", SphRun{"recommended", 0.01, 0.01}, 1.1, cost(8)},
+      {"fine", SphRun{"recommended", 0.005, 0.005}, 1.05, cost(64)}};
+  const auto speeds = equal_error_speeds(beside_meshes(particles));
+  ASSERT_EQ(speeds.size(), 1u);
+  EXPECT_NEAR(speeds[0].error, 0.08, 1e-5);
+  const double own = 8 * std::pow(8, std::log(0.1 / 0.08) / std::log(2));  // on the chord
+  EXPECT_NEAR(speeds[0].value, 80 / own, 1e-3);
+  EXPECT_FALSE(speeds[0].is_repeated);
+  EXPECT_EQ(speed_text(speeds[0]),
+            "SPH: 5.1 times the speed of interFoam at equal error (8 %), 5.1 to 5.1 beside the "
+            "scatter of costs that were measured once");
+  const auto figure = speed_figure(beside_meshes(particles));
+  ASSERT_TRUE(figure);
+  EXPECT_EQ(figure->caption.find("SPH: 5.1 times"), 0u);
+}
+
+TEST(SpeedAtEqualError, IsNotToldWhereACurveDoesNotReachTheError) {
+  EXPECT_TRUE(equal_error_speeds(
+                  beside_meshes({{"fine", SphRun{"recommended", 0.005, 0.005}, 1.05, cost(64)}}))
+                  .empty())
+      << "a bound";
+  EXPECT_TRUE(equal_error_speeds(three_resolutions()).empty()) << "no mesh";
+  EXPECT_FALSE(speed_figure(three_resolutions()));
+}
+
+TEST(SpeedAtEqualError, TellsTheSpreadOfTheCostsThatWereRepeated) {
+  CaseAssessment one =
+      beside_meshes({{"coarse", SphRun{"recommended", 0.02, 0.02}, 1.2, cost(1)},
+                     {"medium", SphRun{"recommended", 0.01, 0.01}, 1.1, cost(8)},
+                     {"fine", SphRun{"recommended", 0.005, 0.005}, 1.05, cost(64)}});
+  CaseRuns runs = one.runs;
+  runs.timings = five_timings();
+  for (const double share : {0.9, 1.0, 1.1}) runs.timings["fine_mesh"].push_back(cost(80 * share));
+  const auto speeds = equal_error_speeds(assess(one.definition, runs));
+  ASSERT_EQ(speeds.size(), 1u);
+  EXPECT_TRUE(speeds[0].is_repeated);
+  EXPECT_GT(speeds[0].spread, 0.24) << "of three timings by 10 %: t = 4.30, over the root of 3";
+  EXPECT_LT(speeds[0].spread, 0.27);
+}
+
+// All runs err more at the begin, so that the errors of another window are others, but not how they
+// compare.
+TEST(SpeedAtEqualError, IsNotMadeUncertainByAStretchWhereAllRunsErrMore) {
+  const std::vector<ScaledRun> particles{
+      {"coarse", SphRun{"recommended", 0.02, 0.02}, 1.2, cost(1)},
+      {"medium", SphRun{"recommended", 0.01, 0.01}, 1.1, cost(8)},
+      {"fine", SphRun{"recommended", 0.005, 0.005}, 1.05, cost(64)}};
+  const CaseAssessment even = beside_meshes(particles);
+  CaseRuns runs = even.runs;
+  const std::vector<double> theory = runs.results.at("theory").series.at(0).value;
+  const auto spoil = [&](const std::string& run, double later) {
+    TimeSeries& series = runs.results.at(run).series.at(0);
+    for (std::size_t i = 0; i < theory.size(); ++i)
+      if (series.time[i] > 10) series.value[i] = std::lerp(theory[i], series.value[i], later);
   };
-  runs.results["particles"] = result_of("particles", higher_by(1.05, {}));
-  runs.results["particles"].cost = cost(10);
-  runs.results["coarse_mesh"] = result_of("coarse_mesh", higher_by(1.06, {.gas_density = 1.2}));
-  runs.results["coarse_mesh"].cost = cost(40);
-  runs.results["fine_mesh"] = result_of("fine_mesh", higher_by(1.04, {.gas_density = 1.2}));
-  runs.results["fine_mesh"].cost = cost(80);
-  const auto tables = work_precision_tables(assess(definition, runs));
-  const reports::Table& table = table_named(tables, "speed");
-  ASSERT_EQ(table.rows.size(), 1U);
-  EXPECT_EQ(table.header.size(), 3U);
-  EXPECT_EQ(table.rows[0][0], "recommended");
-  EXPECT_EQ(table.rows[0][1].find("at least 4 times"), 0U) << table.rows[0][1];
-  EXPECT_EQ(table.rows[0][2], "not reached");
+  for (const char* run : {"coarse", "medium", "fine", "coarse_mesh", "fine_mesh"}) spoil(run, 0.3);
+  const auto together = equal_error_speeds(assess(even.definition, runs));
+  ASSERT_EQ(together.size(), 1u);
+  EXPECT_NEAR(together[0].value, equal_error_speeds(even).at(0).value, 0.02);
+  EXPECT_LT(together[0].spread, 0.02);
+  spoil("fine_mesh", 0.3);  // now one of them alone is better there
+  const auto apart = equal_error_speeds(assess(even.definition, runs));
+  ASSERT_EQ(apart.size(), 1u);
+  EXPECT_GT(apart[0].spread, 0.1);
 }
 
 TEST(ResultsJson, TellTimingsAndWorkPrecision) {

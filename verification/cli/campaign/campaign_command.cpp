@@ -12,20 +12,19 @@
 
 #include "reports/pages/write_report.hpp"
 #include "reports/summary/campaign_report.hpp"
+#include "reports/summary/headline.hpp"
 #include "reports/summary/recorded_campaigns.hpp"
 #include "reports/summary/results_json.hpp"
 #include "sph/threads.hpp"
 #include "verification/assessment/campaign_cost.hpp"
-#include "verification/assessment/row_kinds.hpp"
 #include "verification/campaign/known_drawings.hpp"
 #include "verification/cli/campaign/campaign_options.hpp"
 #include "verification/cli/campaign/earlier_verdicts.hpp"
+#include "verification/cli/campaign/printed_headline.hpp"
 #include "verification/cli/campaign/requested_campaign.hpp"
-#include "verification/evidence/soundness.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/legible_text.hpp"
 #include "verification/input/case_file_error.hpp"
-#include "verification/sensitivity/case_coverage.hpp"
 #include "verification/texts/assessment_text.hpp"
 #include "verification/texts/campaign_plan_text.hpp"
 
@@ -131,16 +130,12 @@ int judge_campaign(RequestedCampaign campaign, const CampaignOptions& options,
   print_lines(gate_lines(assessed.cases, assessed.problems));
   leave_report(assessed, options, name_or_path(assessed.definition.file, installation.campaigns),
                status);
-  std::vector<std::string> lines{fmt::format("{}: {}{}", headline_word(status),
-                                             verdict_sentence(assessed.cases, assessed.problems),
-                                             coverage_sentence(assessed.cases))};
-  for (const CaseAssessment& one : assessed.cases)
-    lines.push_back(doubtful_runs(one.definition, one.runs));
-  lines.insert(lines.end(), {kinds_sentence(assessed.cases, assessed.problems),
-                             cost_sentence(assessed.cases, assessed.problems),
-                             fmt::format("report: {}\n", page_in(place).string())});
+  std::vector<std::string> lines{headline_text(assessed, status), rows_text(assessed),
+                                 cost_sentence(assessed.cases, assessed.problems),
+                                 fmt::format("report: {}", page_in(place).string()),
+                                 speed_sentence(assessed.cases)};
   std::erase(lines, "");
-  print_lines(fmt::format("{}", fmt::join(lines, "\n")));
+  print_lines(fmt::format("{}\n", fmt::join(lines, "\n")));
   return status;
 }
 

@@ -10,6 +10,7 @@
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/cli/campaign/gate_files.hpp"
+#include "verification/cli/campaign/printed_headline.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/texts/assessment_text.hpp"
 
@@ -78,10 +79,9 @@ int judge_campaign(RequestedCampaign campaign, const fs::path& ledger, const Gat
   reports::GateDocument document = gate_document(assessed, findings, start.installation.source);
   document.exit_status = asked;
   write_gate_files(document, directory);
-  std::string headline = document.verdict + "\n";
-  for (const auto& [group, doubt] : document.doubts) headline += doubt + "\n";
-  print_lines(fmt::format("{}{}\ngate: {}, junit.xml\n", headline, document.basis,
-                          (directory / "gate.md").string()));
+  print_lines(fmt::format(
+      "{}\n{}\ngate: {}, junit.xml\n{}{}", headline_text(assessed, findings.status), document.basis,
+      (directory / "gate.md").string(), document.speed, document.speed.empty() ? "" : "\n"));
   start.earlier.end("report", findings.status, asked);
   return asked;
 }

@@ -6,14 +6,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reports/summary/campaign_report.hpp"
+#include "reports/summary/headline.hpp"
 #include "reports/tables/case_tables.hpp"
-#include "verification/assessment/row_kinds.hpp"
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
+#include "verification/cli/campaign/printed_headline.hpp"
 #include "verification/evidence/soundness.hpp"
 #include "verification/files/own_files.hpp"
-#include "verification/sensitivity/case_coverage.hpp"
 
 namespace slosh {
 namespace {
@@ -168,15 +167,16 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed, const Gate
   const std::string changes =
       findings.has_baseline ? changes_sentence(findings.movements)
                             : "There is no baseline: nothing is compared with earlier figures.";
-  reports::GateDocument document{.title = assessed.definition.title,
-                                 .verdict = headline_word(findings.status) + ": " +
-                                            verdict_sentence(assessed.cases, assessed.problems) +
-                                            coverage_sentence(assessed.cases) +
-                                            (changes.empty() ? "" : " " + changes),
-                                 .entries = {},
-                                 .basis = kinds_sentence(assessed.cases, assessed.problems),
-                                 .exit_status = findings.status,
-                                 .inconclusive_passes = findings.inconclusive_passes};
+  reports::GateDocument document{
+      .title = assessed.definition.title,
+      .verdict = headline_word(findings.status, assessed.cases, assessed.problems) + ": " +
+                 headline_sentence(assessed.cases, assessed.problems),
+      .entries = {},
+      .standings = headline_table(headline_lines(assessed.cases, assessed.problems)),
+      .basis = rows_text(assessed) + (changes.empty() ? "" : " " + changes),
+      .speed = speed_sentence(assessed.cases),
+      .exit_status = findings.status,
+      .inconclusive_passes = findings.inconclusive_passes};
   for (const CaseAssessment& one : assessed.cases) {
     if (std::string doubt = doubtful_runs(one.definition, one.runs); !doubt.empty())
       document.doubts[one.definition.name] = std::move(doubt);

@@ -36,13 +36,25 @@ void miss_records(CaseAssessment& assessment) {
 
 namespace fs = std::filesystem;
 
+// What helps where the window is long enough for all modes but the natural ones.
+std::string natural_modes_remedy(const CaseDefinition& definition, TimeWindow window) {
+  std::vector<ToneRequest> forced = fitted_modes(definition);
+  std::erase_if(forced, [](const ToneRequest& one) { return one.refine; });
+  try {
+    require_resolved(window, forced);
+  } catch (const ComparisonError&) {
+    return "";
+  }
+  return "; or natural_modes = 0 in [comparison], which fits no natural mode";
+}
+
 // The window, and the rows' own parts of the run, are long enough for the modes.
 void require_windows(const CaseDefinition& definition) {
   const auto require = [&](TimeWindow window, const std::string& where) {
     try {
       require_resolved(window, fitted_modes(definition));
     } catch (const ComparisonError& error) {
-      throw CaseFileError(where + error.what());
+      throw CaseFileError(where + error.what() + natural_modes_remedy(definition, window));
     }
   };
   require({definition.window_begin, definition.window_end},
@@ -167,6 +179,8 @@ void require_runnable(const std::vector<CaseDefinition>& cases) {
     complaints.allow([&] { require_names_apart(definition); });
     for (const RunDefinition& run : definition.runs)
       complaints.allow([&] { require_runnable(definition, run); });
+    for (const GateRow& row : definition.gate)
+      complaints.allow([&] { require_series(definition, row); });
   }
   complaints.tell();
 }

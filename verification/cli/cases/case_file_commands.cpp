@@ -6,6 +6,8 @@
 // The subcommand check: says all that is wrong with a case file, and all that is doubtful about it,
 // before anything runs.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -60,15 +62,53 @@ int check(const CheckOptions& options, const Installation& installation) {
 }
 
 struct NewOptions {
-  std::string name, like;
+  std::string name, like;  // exactly one of like and minimal
+  bool minimal = false;
   std::filesystem::path output;  // empty: NAME.toml
 };
+
+// 25 lines, without a sentence that belongs to another case.
+constexpr const char* minimal_case =
+    R"(# Next: ./slosh check {0}.toml, ./slosh campaign {0}.toml. All keys: ./slosh explain --keys
+schema_version = 1
+name = "{0}"
+title = "{0}"
+source = "own"
+tank = {{ length_m = 2.0, height_m = 1.0 }}        # or a polygon of corners, or a cylinder
+liquid.fill_depth_m = 0.5                         # of water
+motion.surge = {{ type = "sine", amplitude_m = 0.01, frequency_Hz = 0.35 }}  # or roll; measured: docs/tutorial.md
+time = {{ start = "tank", duration_s = 12.0, sample_interval_s = 0.02 }}
+comparison = {{ window_begin_s = 2.0, natural_modes = 1 }}       # docs/concepts.md
+gauge = [{{ name = "right", x_m = 1.95 }}]          # of the surface; pressures and forces: docs/results.md
+[[run]]
+name = "theory"
+solver = "linear"
+modes = 100
+valid_elevation_over_depth = 0.1
+[[run]]                                           # your code or its file: docs/other_solvers.md
+name = "sph_20mm"
+solver = "sph"
+scheme = "recommended"
+particle_spacing_m = 0.02
+[[gate]]                                          # other limits, as of loads: docs/gating.md
+candidate = "sph_20mm"
+reference = "theory"
+limits.amplitude_error = {{ limit = 0.05, reason = "to be chosen", source = "own" }}
+)";
+
+std::string minimal_text(const std::string& name) {
+  if (!file_safe_name().holds(name))
+    throw CaseFileError("name = \"" + name + "\": expected " + file_safe_name().expected);
+  return fmt::format(minimal_case, name);
+}
 
 int leave_case(const NewOptions& options, const Installation& installation) {
   const std::filesystem::path file =
       options.output.empty() ? std::filesystem::path(options.name + ".toml") : options.output;
   const std::string text =
-      commented_case(read_case(find_case(options.like, installation.cases)), options.name);
+      options.minimal
+          ? minimal_text(options.name)
+          : commented_case(read_case(find_case(options.like, installation.cases)), options.name);
   if (std::filesystem::exists(file))
     throw CaseFileError("--output: " + file.string() +
                         ": expected a file that is not there yet, as it is not to be lost");
@@ -141,16 +181,19 @@ void add_new_command(const CommandTree& tree) {
       tree,
       {"new",
        "Writes a case file to edit, like another case, with each key explained",
-       {"./slosh new my_tank --like li2010_small_amplitude -o my_tank.toml"}},
+       {"./slosh new my_tank --minimal",
+        "./slosh new my_wave --like li2010_small_amplitude -o my_wave.toml"}},
       [options, &installation = tree.installation] { return leave_case(*options, installation); });
   command.add_option("name", options->name, "The name of the new case")
       ->type_name("NAME")
       ->required();
-  command
+  CLI::Option_group& begin = *command.add_option_group("Begin with");
+  begin
       .add_option("--like", options->like,
                   "The case to begin with: one of `slosh list`, or the path of a case file")
-      ->type_name(case_type)
-      ->required();
+      ->type_name(case_type);
+  begin.add_flag("--minimal", options->minimal, "A small tank in surge, in 25 lines");
+  begin.require_option(1);
   command.add_option("-o,--output", options->output, "The new case file (default: NAME.toml)")
       ->type_name(file_type);
 }

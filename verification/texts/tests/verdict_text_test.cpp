@@ -48,6 +48,9 @@ TEST(VerdictText, ColoursTheVerdictThatALineBeginsWith) {
            {"inconclusive   a", "\033[33minconclusive\033[0m   a"},
            {"INCONCLUSIVE: 0", "\033[33mINCONCLUSIVE\033[0m: 0"},
            {"not compared   a", "\033[33mnot compared\033[0m   a"},
+           {"validated              a", "\033[32mvalidated\033[0m              a"},
+           {"watched, not validated a", "\033[34mwatched, not validated\033[0m a"},
+           {"WATCHED, NOT VALIDATED: 0", "\033[34mWATCHED, NOT VALIDATED\033[0m: 0"},
            {"NOT COMPARED: 0", "\033[33mNOT COMPARED\033[0m: 0"},
            {"passage of time", "passage of time"},
            {"report: PASS", "report: PASS"}})

@@ -1,0 +1,33 @@
+#include "verification/cli/campaign/printed_headline.hpp"
+
+#include <fmt/format.h>
+
+#include "reports/summary/campaign_report.hpp"
+#include "reports/summary/headline.hpp"
+#include "verification/assessment/row_kinds.hpp"
+#include "verification/evidence/soundness.hpp"
+#include "verification/sensitivity/case_coverage.hpp"
+
+namespace slosh {
+
+std::string headline_text(const AssessedCampaign& assessed, int status) {
+  const auto& [definition, output, cases, problems] = assessed;
+  std::string text = fmt::format("{}: {}", headline_word(status, cases, problems),
+                                 headline_sentence(cases, problems));
+  for (const CaseAssessment& one : cases)
+    if (const std::string doubt = doubtful_runs(one.definition, one.runs); !doubt.empty())
+      text += "\n" + doubt;
+  for (const HeadlineLine& line : headline_lines(cases, problems))
+    text += fmt::format("\n{:<22} {}: {}{}", line.standing, line.name, line_text(line),
+                        has_numbers(line) ? "; decided by " + line.decides : "");
+  return text;
+}
+
+std::string rows_text(const AssessedCampaign& assessed) {
+  const auto& [definition, output, cases, problems] = assessed;
+  const std::string basis = basis_sentence(cases, problems);
+  return verdict_sentence(cases, problems) + coverage_sentence(cases) +
+         (basis.empty() ? "" : " " + basis);
+}
+
+}  // namespace slosh
