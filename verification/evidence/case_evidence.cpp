@@ -163,8 +163,8 @@ Comparison CaseEvidence::compared(const std::string& candidate, const std::strin
               prepared("reference", reference, quantity, moved, window, modes), needed_.names);
   if (needed_.with_what_is_beside)
     for (ModeComparison& mode : comparison.modes) mode.beside.reset();
-  const auto gap = longest_gap(prepared("candidate", candidate, quantity, {}, window, modes).cut,
-                               definition_.sample_interval);
+  const auto gap = longest_gap(prepared("candidate", candidate, quantity, {}, window, modes).series,
+                               window, definition_.sample_interval);
   if (gap && modes.empty())  // else the modes ask for samples
     comparison.doubts.push_back(fmt::format(
         "the candidate has no sample between {:.4g} and {:.4g} s", gap->begin, gap->end));
@@ -364,6 +364,7 @@ GateEvidence CaseEvidence::gate_evidence() {
           repeats,
           doubts,
           definition_.sample_interval,
+          {definition_.window_begin, definition_.window_end},
           [this](const std::string& run, const std::string& quantity) {
             return series_of(runs_, run, as_read(runs_, run, quantity));
           }};

@@ -86,6 +86,7 @@ struct GateEvidence {
   MeasureRepeats repeats = {};
   DoubtRuns doubts_of_runs = {};
   double sample_interval = 0;  // [s], of the case's series
+  TimeWindow judged = {};      // the time over which the row is judged; empty: of each series all
   FindHistory readings = {};   // as `history`; of a filtered pressure those before its filter
 };
 

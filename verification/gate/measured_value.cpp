@@ -304,50 +304,61 @@ void add_doubts_of_pairs(const GateRow& row, const GateEvidence& evidence, RowDo
   add_coverage(barest->covered, found);
 }
 
+// A sampled peak may be higher between its samples.
+void add_doubts_of_peak(const GateRow& row, const TimeSeries& series,
+                        std::vector<std::string>& doubts) {
+  const double largest = largest_of(series).magnitude, above = above_largest(series.value);
+  constexpr double known_to = 1.001;  // a row prints three digits
+  const double upper = bounds_of(row).second;
+  if (largest <= upper && largest + above > upper * known_to)
+    doubts.push_back(fmt::format("between the samples of the candidate it may be {:.2g} {} more",
+                                 above, series.unit));
+  if (find_quantity(row.quantity) && is_sharp(series.value))
+    doubts.push_back("the candidate's peak lasts for about a sample, and may be higher between");
+}
+
+// A peak may be cut off: the other crests, and a series that rests at its lowest value, as at zero,
+// are none. What a flat hides is known to a factor of two.
+void keep_flats_of_peaks(const GateRow& row, double largest, SensorLimits& limits) {
+  const bool is_largest = row.metric == Metric::largest_magnitude;
+  const auto matters = [&](const FlatExtreme& flat) {
+    const double height = std::abs(flat.value);
+    return height + flat.hidden > largest &&
+           (row.improves_on || height + 2 * flat.hidden > bounds_of(row).second);
+  };
+  if (is_largest && limits.highest && !matters(*limits.highest)) limits.highest.reset();
+  if (limits.lowest && (!is_largest || !matters(*limits.lowest))) limits.lowest.reset();
+}
+
 // What a run records beside the compared quantities need not be what a sensor reads.
 void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence, RowDoubts& found) {
   const FindHistory& find = is_of_impacts(row.metric) ? evidence.history : evidence.series;
   if (!find) return;
+  const bool is_compared = find_quantity(row.quantity) != nullptr;
+  const bool is_smoothed = evidence.readings && is_filtered(row.quantity);
   std::vector<std::string> doubts;
   double covered = 1;
   for (const std::string& run : ensemble_of(row.candidate, evidence).members) {
     const TimeSeries series = find(run, row.quantity);
     if (series.time.size() < 2) continue;  // refused by its metric
-    covered = std::min(covered, covered_share(series, {series.time.front(), series.time.back()}));
+    const TimeSeries whole = evidence.history ? evidence.history(run, row.quantity) : series;
+    TimeWindow window{series.time.front(), series.time.back()};
+    if (evidence.judged.end > evidence.judged.begin && !is_of_impacts(row.metric))
+      window = evidence.judged;
+    covered = std::min(covered, covered_share(whole, window));
     if (!doubts.empty()) continue;
-    const bool is_compared = find_quantity(row.quantity) != nullptr;
     const double recorded =
         is_compared ? evidence.sample_interval : std::numeric_limits<double>::infinity();
-    if (const auto gap = longest_gap(series, recorded))
+    if (const auto gap = longest_gap(whole, window, recorded))
       doubts.push_back(fmt::format("the candidate has no sample between {:.4g} and {:.4g} s",
                                    gap->begin, gap->end));
-    if (row.metric == Metric::largest_magnitude && !row.improves_on) {
-      const double largest = largest_of(series).magnitude, above = above_largest(series.value);
-      constexpr double known_to = 1.001;  // a row prints three digits
-      const double upper = bounds_of(row).second;
-      if (largest <= upper && largest + above > upper * known_to)
-        doubts.push_back(fmt::format(
-            "between the samples of the candidate it may be {:.2g} {} more", above, series.unit));
-    }
+    if (row.metric == Metric::largest_magnitude && !row.improves_on)
+      add_doubts_of_peak(row, series, doubts);
     if (!is_compared) continue;
-    const bool is_largest = row.metric == Metric::largest_magnitude;
-    if (is_largest && !row.improves_on && is_sharp(series.value))
-      doubts.push_back("the candidate's peak lasts for about a sample, and may be higher between");
-    const bool is_smoothed = evidence.readings && is_filtered(row.quantity);
-    const FindHistory& whole = is_smoothed ? evidence.readings : evidence.history;
-    SensorReadings readings{"candidate", series.unit,
-                            sensor_limits(whole ? whole(run, row.quantity) : series,
-                                          {series.time.front(), series.time.back()})};
-    // A peak may be cut off: the other crests, and a series that rests at its lowest value, as at
-    // zero, are none. What a flat hides is known to a factor of two.
-    const auto matters = [&](const FlatExtreme& flat) {
-      const double height = std::abs(flat.value);
-      return height + flat.hidden > largest_of(series).magnitude &&
-             (row.improves_on || height + 2 * flat.hidden > bounds_of(row).second);
-    };
-    std::optional<FlatExtreme>&highest = readings.limits.highest, &lowest = readings.limits.lowest;
-    if (is_largest && highest && !matters(*highest)) highest.reset();
-    if (lowest && (!is_largest || !matters(*lowest))) lowest.reset();
+    SensorReadings readings{
+        "candidate", series.unit,
+        sensor_limits(is_smoothed ? evidence.readings(run, row.quantity) : whole, window)};
+    keep_flats_of_peaks(row, largest_of(series).magnitude, readings.limits);
     std::ranges::move(doubts_of_readings(readings), std::back_inserter(doubts));
     if (readings.limits.step && are_coarse_for(row, readings, 0))
       doubts.push_back(step_doubt(readings));

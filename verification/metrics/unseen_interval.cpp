@@ -124,15 +124,18 @@ std::optional<UnseenInterval> unseen_interval(const TimeSeries& candidate,
   return of_candidate;
 }
 
-std::optional<TimeWindow> longest_gap(const TimeSeries& series, double recorded_interval) {
+std::optional<TimeWindow> longest_gap(const TimeSeries& whole, TimeWindow window,
+                                      double recorded_interval) {
   constexpr double rounding = 1 + 1e-6;
-  double longest = rounding * std::min(least_gap * median_sample_interval(series.time),
+  const std::vector<double>& time = whole.time;
+  double longest = rounding * std::min(least_gap * median_sample_interval(time),
                                        least_recorded_gap * recorded_interval);
   std::optional<TimeWindow> gap;
-  for (std::size_t i = 1; i < series.time.size(); ++i) {
-    if (series.time[i] - series.time[i - 1] <= longest) continue;
-    longest = series.time[i] - series.time[i - 1];
-    gap = {series.time[i - 1], series.time[i]};
+  for (std::size_t i = 1; i < time.size(); ++i) {
+    if (time[i] - time[i - 1] <= longest || time[i] <= window.begin || time[i - 1] >= window.end)
+      continue;
+    longest = time[i] - time[i - 1];
+    gap = {time[i - 1], time[i]};
   }
   return gap;
 }

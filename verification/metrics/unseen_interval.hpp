@@ -29,10 +29,11 @@ struct UnseenInterval {
 std::optional<UnseenInterval> unseen_interval(const TimeSeries& candidate,
                                               const CommonSamples& common);
 
-// The longest interval between two samples, where it is more than ten median ones or three of the
+// The longest interval between two samples that meets the window, where it is more than ten median ones or three of the
 // intervals at which the case records: the median is large where a series is sampled in bursts or
 // thinned between its crests.
-std::optional<TimeWindow> longest_gap(const TimeSeries& series, double recorded_interval);
+std::optional<TimeWindow> longest_gap(const TimeSeries& whole, TimeWindow window,
+                                      double recorded_interval);
 
 // The share of the window that the series covers. It does not cover an interval between two samples
 // of more than a tenth of the window and of three median ones, nor more than a median one before

@@ -427,6 +427,7 @@ TEST_F(GateOnImprovement, MustBeBetterThanNothing) {
   EXPECT_EQ(verdict(-1, 1.3), Verdict::inconclusive);
   EXPECT_EQ(verdict(-0.9995, -1.3), Verdict::inconclusive);  // +- 0.001
   EXPECT_EQ(verdict(1.2, 1.3), Verdict::inconclusive);
+  EXPECT_NE(outcome(-1 + 1e-9, 1.3, {}).verdict, Verdict::pass);
   EXPECT_NE(outcome(-1, 1.3, {}).message.find("a candidate of nothing is as good"),
             std::string::npos);
 }
@@ -983,6 +984,7 @@ class GateOnALoad : public ::testing::Test {
     evidence.series = [&](const auto&, const auto&) { return cut_to_window(whole, over); };
     evidence.history = [&](const auto&, const auto&) { return whole; };
     evidence.sample_interval = 0.01;
+    evidence.judged = over;
     evidence.ensemble = [&](const auto& run) { return EnsembleOfRun{{run}, false, may_repeat}; };
     return evaluate(row, {{"sph", {RunState::finished, ""}}}, evidence);
   }
@@ -1025,6 +1027,17 @@ TEST_F(GateOnALoad, DoubtsAFlatOnlyWhereThePeakMayBeCutOff) {
   EXPECT_EQ(judge(flat, {0, 10}).verdict, Verdict::inconclusive);
   row.limit = 160;
   EXPECT_EQ(judge(flat, {0, 10}).verdict, Verdict::pass);
+}
+
+// The gauge fails from 4.06 s on, and four samples of the part are left.
+TEST_F(GateOnALoad, DoubtsAPartAtWhoseEdgeSamplesAreMissing) {
+  TimeSeries failing = load(0);
+  const auto remove = [](std::vector<double>& of) { of.erase(of.begin() + 407, of.begin() + 600); };
+  remove(failing.time);
+  remove(failing.value);
+  const GateOutcome outcome = judge(failing, {4, 5.5});
+  EXPECT_NE(outcome.verdict, Verdict::pass) << outcome.message;
+  EXPECT_EQ(judge(failing, {6, 10}).verdict, Verdict::pass);
 }
 
 TEST_F(GateOnALoad, SaysSingleRunWhereNoRunRepeatsIt) {

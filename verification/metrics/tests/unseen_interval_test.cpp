@@ -157,9 +157,9 @@ TEST(LongestGap, OfTwoLostSamplesIsNotLongerThanThreeIntervalsByRounding) {
         series.time.push_back(time);
         series.value.push_back(std::sin(3 * time));
       }
-    EXPECT_FALSE(longest_gap(series, 0.01)) << lost;
+    EXPECT_FALSE(longest_gap(series, window, 0.01)) << lost;
     std::erase_if(series.time, [&](double time) { return std::abs(time - lost - 0.03) < 0.005; });
-    EXPECT_TRUE(longest_gap(series, 0.01)) << lost;
+    EXPECT_TRUE(longest_gap(series, window, 0.01)) << lost;
   }
 }
 
