@@ -92,6 +92,18 @@ class CaseReader {
     return (root_.has(key) || only_known_keys_) && allow(read);
   }
 
+  // Makes the part of the definition that stands in the table at the key.
+  template <class Part, class Read>
+  bool section(const char* key, Part& part, const Read& read) {
+    return allow_at(key, [&] { part = whole(root_.table(key), read); });
+  }
+
+  // What `read` makes of the table and of what has been read of the case.
+  template <class Read>
+  auto whole(const TomlTable& table, const Read& read) {
+    return read_whole(table, [&](const TomlTable& one) { return read(one, definition_); });
+  }
+
   // Reads each [[key]], and returns whether all of them could be read.
   template <class Read>
   bool each(const char* key, Read read) {
@@ -103,11 +115,11 @@ class CaseReader {
 
   // Reads each [[key]] as a definition with a unique name.
   template <class Definition, class Read>
-  bool each_named(const char* key, std::vector<Definition>& definitions, Read read,
+  bool each_named(const char* key, std::vector<Definition>& definitions, const Read& read,
                   RefusedNames* refused = nullptr) {
     return each(key, [&](const TomlTable& table) {
       try {
-        add_named(table, key, read_whole(table, read), definitions);
+        add_named(table, key, whole(table, read), definitions);
       } catch (const CaseFileError&) {
         if (refused) refused->add(table);
         throw;
@@ -132,30 +144,17 @@ class CaseReader {
   }
 
   void read_tank_and_time() {
-    tank_ =
-        allow_at("tank", [&] { definition_.tank = read_whole(root_.table("tank"), read_tank); });
+    tank_ = section("tank", definition_.tank, read_tank);
     if (tank_ && !is_rectangle(definition_.tank))
       tank_ = allow([&] { refuse_beside_outline(root_, definition_); });
-    liquid_ = tank_ && allow_at("liquid", [&] {
-                definition_.liquid = read_whole(
-                    root_.table("liquid"),
-                    [&](const TomlTable& liquid) { return read_liquid(liquid, definition_); });
-              });
+    liquid_ = tank_ && section("liquid", definition_.liquid, read_liquid);
     if (liquid_) allow([&] { read_gas(); });
     time_ = allow_at("time", [&] {
       root_.table("time").read_all([&](const TomlTable& time) { read_time(time, definition_); });
     });
     if (time_ && root_.has("animation"))
-      allow([&] {
-        definition_.animation_times = read_whole(
-            root_.table("animation"),
-            [&](const TomlTable& animation) { return read_animation(animation, definition_); });
-      });
-    motion_ = tank_ && time_ && allow_at("motion", [&] {
-                definition_.motion = read_whole(
-                    root_.table("motion"),
-                    [&](const TomlTable& motion) { return read_motion(motion, definition_); });
-              });
+      section("animation", definition_.animation_times, read_animation);
+    motion_ = tank_ && time_ && section("motion", definition_.motion, read_motion);
     if (gravity_ && motion_ && definition_.gravity == 0 && definition_.motion.still())
       allow([&] {
         root_.refuse("gravity_m_s2",
@@ -166,25 +165,16 @@ class CaseReader {
   void read_gas() {
     definition_.gas = air;
     if (root_.has("gas") || !(air.density < definition_.liquid.density))
-      definition_.gas = read_whole(root_.table("gas"), [&](const TomlTable& gas) {
-        return gas_table.read_all(gas, definition_);
-      });
+      definition_.gas = whole(root_.table("gas"), gas_table);
   }
 
   // At least one gauge of either kind is required.
   void read_gauges() {
     if (!tank_ || !time_ || !(liquid_ || is_rectangle(definition_.tank))) return;
-    gauges_ = each_named(
-        "gauge", definition_.gauges,
-        [&](const TomlTable& gauge) { return gauge_table.read_all(gauge, definition_); },
-        &refused_gauges_);
-    gauges_ &= each_named(
-        "pressure_gauge", definition_.pressure_gauges,
-        [&](const TomlTable& gauge) { return read_pressure_gauge(gauge, definition_); },
-        &refused_gauges_);
-    gauges_ &= each_named(
-        "probe", definition_.probes,
-        [&](const TomlTable& probe) { return read_probe(probe, definition_); }, &refused_gauges_);
+    gauges_ = each_named("gauge", definition_.gauges, gauge_table, &refused_gauges_);
+    gauges_ &= each_named("pressure_gauge", definition_.pressure_gauges, read_pressure_gauge,
+                          &refused_gauges_);
+    gauges_ &= each_named("probe", definition_.probes, read_probe, &refused_gauges_);
     if (root_.has("wall_forces"))
       gauges_ &= allow([&] { definition_.wall_forces = read_wall_forces(root_); });
     if (gauges_ && definition_.gauges.empty() && definition_.pressure_gauges.empty())
@@ -195,24 +185,17 @@ class CaseReader {
 
   // An unknown key may be any of the optional sections, misspelt.
   void read_what_shapes_the_flow() {
-    impacts_ = only_known_keys_ && gauges_ && (!root_.has("impacts") || allow([&] {
-                 definition_.impacts =
-                     read_whole(root_.table("impacts"), [&](const TomlTable& impacts) {
-                       return read_impacts(impacts, definition_, experiments_);
-                     });
-               }));
-    obstacles_ =
-        liquid_ && gauges_ &&
-        each_named("obstacle", definition_.obstacles,
-                   [&](const TomlTable& table) { return read_obstacle(table, definition_); }) &&
-        allow([&] { refuse_overlaps(root_.tables("obstacle"), definition_.obstacles); });
-    wave_ = only_known_keys_ && (!root_.has("initial_wave") ||
-                                 (obstacles_ && allow([&] {
-                                    definition_.initial_wave = read_whole(
-                                        root_.table("initial_wave"), [&](const TomlTable& wave) {
-                                          return read_initial_wave(wave, definition_);
-                                        });
-                                  })));
+    const auto impacts = [&](const TomlTable& table, const CaseDefinition& definition) {
+      return read_impacts(table, definition, experiments_);
+    };
+    impacts_ = only_known_keys_ && gauges_ &&
+               (!root_.has("impacts") || section("impacts", definition_.impacts, impacts));
+    obstacles_ = liquid_ && gauges_ &&
+                 each_named("obstacle", definition_.obstacles, read_obstacle) &&
+                 allow([&] { refuse_overlaps(root_.tables("obstacle"), definition_.obstacles); });
+    wave_ = only_known_keys_ &&
+            (!root_.has("initial_wave") ||
+             (obstacles_ && section("initial_wave", definition_.initial_wave, read_initial_wave)));
   }
 
   void read_comparison() {
@@ -279,22 +262,16 @@ class CaseReader {
 
   void read_row(const TomlTable& row) {
     allow([&] {
-      if (can_judge_row(row))
-        definition_.gate.push_back(read_whole(
-            row, [&](const TomlTable& table) { return read_gate_row(table, definition_); }));
+      if (can_judge_row(row)) definition_.gate.push_back(whole(row, read_gate_row));
     });
   }
 
   void read_what_names_runs() {
     bool inputs = false;
     if (runs_) {
-      each_named("refinement", definition_.refinements, [&](const TomlTable& refinement) {
-        return read_refinement(refinement, definition_);
-      });
+      each_named("refinement", definition_.refinements, read_refinement);
       inputs = comparison_ && each("input", [&](const TomlTable& input) {
-                 definition_.inputs.push_back(read_whole(input, [&](const TomlTable& table) {
-                   return read_input(table, definition_);
-                 }));
+                 definition_.inputs.push_back(whole(input, read_input));
                });
     }
     each("gate", [&](const TomlTable& group) {

@@ -55,11 +55,11 @@ extern const FieldTable<SeriesSource> series_table;
 extern const FieldTable<TimingDefinition> timing_table;
 
 // Read [tank] and [liquid], in this order. Without properties a liquid is water.
-TankDefinition read_tank(const TomlTable& tank);
+TankDefinition read_tank(const TomlTable& tank, const CaseDefinition& definition);
 LiquidDefinition read_liquid(const TomlTable& liquid, const CaseDefinition& definition);
 
-// What a tank that is no rectangle excludes. The first needs the definition's tank alone; the second its motion and
-// its comparison too.
+// What a tank that is no rectangle excludes. The first needs the definition's tank alone; the
+// second its motion and its comparison too.
 void refuse_beside_outline(const TomlTable& root, const CaseDefinition& definition);
 void refuse_breadth_of_outline(const TomlTable& root, const CaseDefinition& definition);
 void refuse_solver_of_outline(const TomlTable& run, const CaseDefinition& definition);

@@ -239,6 +239,9 @@ struct FieldTable : KeyTable {
     read_into(table, definition, made);
     return made;
   }
+  S operator()(const TomlTable& table, const CaseDefinition& definition) const {
+    return read_all(table, definition);
+  }
 };
 
 // As one call, for lists of tables.

@@ -171,9 +171,8 @@ LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
 }
 
 // Reads the run of a theory whose keys its table knows alone.
-template <class Run>
-Run read_theory(const TomlTable& run, const CaseDefinition& definition,
-                const FieldTable<Run>& keys) {
+template <class Run, const FieldTable<Run>& keys>
+Run read_theory(const TomlTable& run, const CaseDefinition& definition) {
   refuse_breadth(run, definition);
   Run theory{};
   keys.read_into(run, definition, theory);
@@ -261,13 +260,13 @@ RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition
 }
 
 using Solver = decltype(RunDefinition::solver);
+using ReadSolver = std::function<Solver(const TomlTable& run, const CaseDefinition& definition,
+                                        const std::filesystem::path& experiments)>;
 
 // A solver, or one form of its runs, and the function that reads these.
 struct SolverSection {
   std::string name;
-  std::function<Solver(const TomlTable& run, const CaseDefinition& definition,
-                       const std::filesystem::path& experiments)>
-      read;
+  ReadSolver read;
   std::string form = {};        // the key by which this form is recognised
   const char* table = nullptr;  // of the keys, where another solver's counts
 
@@ -275,40 +274,36 @@ struct SolverSection {
   Keys keys() const { return keys_of("run." + (table ? table : form.empty() ? name : form)); }
 };
 
+// Of a function that needs no experiments.
+template <class Run>
+ReadSolver by(Run (*read)(const TomlTable&, const CaseDefinition&)) {
+  return [read](const auto& run, const auto& definition, const auto&) {
+    return read(run, definition);
+  };
+}
+
 // OpenFOAM's programs have the keys of interFoam.
-SolverSection section_of_openfoam(const char* name, FoamProgram program) {
-  return {.name = name,
-          .read = [program](const TomlTable& run, const CaseDefinition& definition,
-                            const auto&) { return read_interfoam(run, definition, program); },
-          .table = "interfoam"};
+template <FoamProgram program>
+SolverSection section_of_openfoam(const char* name) {
+  const auto read = [](const auto& run, const auto& definition, const auto&) {
+    return read_interfoam(run, definition, program);
+  };
+  return {.name = name, .read = read, .table = "interfoam"};
 }
 
 const std::vector<SolverSection> solver_sections{
-    {"sph", [](const auto& run, const auto& definition,
-               const auto&) { return read_sph(run, definition); }},
-    section_of_openfoam("interfoam", FoamProgram::inter_foam),
-    section_of_openfoam("interisofoam", FoamProgram::inter_iso_foam),
-    section_of_openfoam("compressible_interfoam", FoamProgram::compressible_inter_foam),
-    {"linear", [](const auto& run, const auto& definition,
-                  const auto&) { return read_linear(run, definition); }},
-    {"viscous_wave", [](const auto& run, const auto& definition,
-                        const auto&) { return read_theory(run, definition, viscous_wave_table); }},
-    {"potential", [](const auto& run, const auto& definition,
-                     const auto&) { return read_theory(run, definition, potential_table); }},
-    {"record", [](const auto& run, const auto& definition,
-                  const auto&) { return read_shipped_record(run, definition); }},
-    {"record",
-     [](const auto& run, const auto& definition, const auto& experiments) {
-       return read_experiment(run, definition, experiments);
-     },
-     "experiment"},
-    {"external", [](const auto& run, const auto& definition,
-                    const auto&) { return read_external_run(run, definition); }},
-    {"stored", [](const auto& run, const auto& definition,
-                  const auto&) { return read_stored_run(run, definition); }},
-    {"pysph", [](const auto& run, const auto& definition, const auto&) {
-       return read_pysph_run(run, definition);
-     }}};
+    {"sph", by(read_sph)},
+    section_of_openfoam<FoamProgram::inter_foam>("interfoam"),
+    section_of_openfoam<FoamProgram::inter_iso_foam>("interisofoam"),
+    section_of_openfoam<FoamProgram::compressible_inter_foam>("compressible_interfoam"),
+    {"linear", by(read_linear)},
+    {"viscous_wave", by(read_theory<ViscousWaveRun, viscous_wave_table>)},
+    {"potential", by(read_theory<PotentialRun, potential_table>)},
+    {"record", by(read_shipped_record)},
+    {"record", read_experiment, "experiment"},
+    {"external", by(read_external_run)},
+    {"stored", by(read_stored_run)},
+    {"pysph", by(read_pysph_run)}};
 
 Keys solver_names() {
   Keys names;

@@ -244,10 +244,10 @@ const FieldTable<InitialWaveDefinition> initial_wave_table{
            "The amplitude A. Where it is positive, the crest is at the left wall. Its magnitude "
            "is below the fill depth and below the room under the roof.")}};
 
-TankDefinition read_tank(const TomlTable& tank) {
+TankDefinition read_tank(const TomlTable& tank, const CaseDefinition& definition) {
   tank.allow_only(tank_table.names());
   TankDefinition read = tells_outline(tank) ? read_outline(tank) : TankDefinition{};
-  tank_table.read_into(tank, {}, read);
+  tank_table.read_into(tank, definition, read);
   return read;
 }
 

@@ -1,13 +1,19 @@
 // The texts that programs and laboratories really write: read alike by imports, records and tables
 // of motions, or refused by their line with the reason.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
 #include <functional>
+#include <limits>
 
+#include "verification/files/hdf5_handles.hpp"
 #include "verification/import/import_series.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/tables/time_table.hpp"
 #include "verification/results/result_file.hpp"
+#include "verification/tests/temporary_directory.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::import_text_test {
@@ -23,7 +29,10 @@ SeriesSource csv(const std::filesystem::path& file) {
 
 using Change = std::function<void(SeriesSource&)>;
 
-const Change as_it_is = [](SeriesSource&) {};
+const Change as_it_is = [](SeriesSource&) {}, elevation = [](SeriesSource&source) {
+  source.quantity = "elevation@right";
+  source.column = "eta";
+};
 
 Change units(const std::string& time, const std::string& value) {
   return [=](SeriesSource& source) {
@@ -39,11 +48,14 @@ Change columns(const std::string& time, const std::string& value) {
   };
 }
 
+// The message without the directory; it begins with "unusable: " where numbers cannot be used.
 template <class Read>
 std::string complaint_of(const Workspace& workspace, Read read) {
   std::string message;
   try {
     read();
+  } catch (const ResultError& error) {
+    message = std::string("unusable: ") + error.what();
   } catch (const std::runtime_error& error) {
     message = error.what();
   }
@@ -59,6 +71,12 @@ std::string complaint_of(const std::string& text, const Change& change) {
   change(source);
   return complaint_of(workspace, [&] { import_series(source); });
 }
+
+void expect_start(const std::string& message, const std::string& wanted) {
+  EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
+}
+
+constexpr const char* table = "t [s];eta [mm]\n0;1\n0.5;2\n1;3\n1.5;4\n";
 
 // Each holds 1000, 2000, 3000 and 4000 Pa at 0, 0.5, 1 and 1.5 s.
 TEST(ImportText, IsReadInEachOfTheseForms) {
@@ -84,6 +102,7 @@ TEST(ImportText, IsReadInEachOfTheseForms) {
       {"t [s],p [kPa],u [0.5, 0.1, 0]\n0,1,7\n0.5,2,7\n1,3,7\n1.5,4,7\n"},
       {"t [s];p [kPa]\n0.0D+00;1.0D+00\n+5.0E-01;+2.0E+00\n1.0d0;3\n1.5;4.0D0\n"},
       {"t [s];p [kPa]\n0;1\n\n0.5;2\n   \n1;3\n# a remark\n1.5;4\n\n\n"},
+      {"\"t [s]\",\"note, any\",\"p [kPa]\"\n0,,1\n0.5,\"a, b\",2\n1,,3\n1.5,,4\n"},
       {"\"t [s]\";\"p [kPa]\"\n\"0\";\"1\"\n0.5;2\n1;3\n1.5;4\n"},
       {"t [s];p [kPa]\n0;1\n0.5;9\n0.7;9\nt [s];p [kPa]\n0.5;2\n1;3\n1.5;4\n"}};
   for (const auto& [text, change] : forms) {
@@ -156,8 +175,9 @@ TEST(ImportText, IsRefusedWithTheReasonInEachOfTheseForms) {
          source.unit = "Pa";
        }}};
   for (const auto& [text, message, change] : mistakes) {
-    const std::string got = complaint_of(text, change);
-    EXPECT_TRUE(got.starts_with(message)) << text << "\ngot:    " << got << "\nwanted: " << message;
+    std::string got = complaint_of(text, change);
+    if (got.starts_with("unusable: ")) got.erase(0, 10);
+    expect_start(got, message);
   }
 }
 
@@ -233,12 +253,13 @@ TEST(ImportText, IsStitchedOfThePartsOfARestartedRun) {
             (std::vector<std::string>{
                 b.string() + ":2: takes over at 2 s; the 2 values up to 3 s before it are left out",
                 c.string() + ":2: goes on at 4 s after 3 s"}));
-  EXPECT_EQ(complaint_of(workspace,
-                         [&] {
-                           import_series(csv(a), {b, a});
-                         }),
-            "a.csv:2: time = 0: expected a part that begins at 2 or later, in s, as the one before "
-            "it");
+  EXPECT_EQ(
+      complaint_of(workspace,
+                   [&] {
+                     import_series(csv(a), {b, a});
+                   }),
+      "unusable: a.csv:2: time = 0: expected a part that begins at 2 or later, in s, as the one "
+      "before it");
 }
 
 TEST(ImportText, OfSphinxsysGoesOnBehindTheHeadOfItsRestart) {
@@ -327,6 +348,213 @@ TEST(ImportText, OfARestartedRunIsOfOneGaugeAtOnePlace) {
       complaint("openfoam_interface_height", "hL_0", "# Location 0 : (0.05 0.5 0)\n# x\n",
                 "# Location 0 : (0.06 0.5 0)\n# x\n", "# Location 0\n# Time hB hL\n");
   EXPECT_TRUE(refused(height, "(0.06 0.5 0)", "(0.05 0.5 0)")) << height;
+}
+
+TEST(ImportRefusal, NoScaleOrOffsetLeavesValuesThatAreNone) {
+  const auto with = [](double scale, double offset) {
+    return complaint_of(table, [=](SeriesSource& source) {
+      elevation(source);
+      source.scale = scale;
+      source.offset = offset;
+    });
+  };
+  expect_start(with(1e300, 0),
+               "a.csv: eta = its values times 1e+300 plus 0: expected a scale and an offset that "
+               "leave values below 1e+20");
+  EXPECT_NE(with(1, -1e300), "");
+  EXPECT_NE(with(std::numeric_limits<double>::quiet_NaN(), 0), "");
+  EXPECT_EQ(with(-2, 1e3), "");
+}
+
+TEST(ImportRefusal, TheFirstValueIsZeroWhereItIsTheDatum) {
+  const Workspace workspace;
+  SeriesSource source =
+      csv(workspace.write("a.csv", "t [s];eta [mm]\n0;355\n1;357\n2;355\n3;350\n"));
+  elevation(source);
+  source.scale = 2;
+  source.first_is_zero = true;
+  const TimeSeries series = import_series(source);
+  const std::vector<double> expected{0, 0.004, 0, -0.01};
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_NEAR(series.value[i], expected[i], 1e-15) << i;
+}
+
+TEST(ImportRefusal, UnitsAreTheFilesOrTheUsersAndThenTheSame) {
+  const Workspace workspace;
+  SeriesSource blanks = csv(workspace.write("a.txt", "t eta\n0 1\n60 2\n120 3\n180 4\n"));
+  elevation(blanks);
+  blanks.unit = "cm";
+  blanks.time_unit = "ms";
+  blanks.scale = -1;
+  blanks.offset = 0.5;
+  const TimeSeries series = import_series(blanks);
+  EXPECT_DOUBLE_EQ(series.time[1], 0.06);
+  EXPECT_DOUBLE_EQ(series.value[1], 0.48);
+  blanks.unit.clear();
+  blanks.column = "eta [m]";
+  EXPECT_DOUBLE_EQ(import_series(blanks).value[0], -0.5);
+}
+
+TEST(ImportRefusal, WhatTheUserSaysMustFitTheFile) {
+  const auto complaint = [](const Change& change, const std::string& text = table) {
+    return complaint_of(text, [&](SeriesSource& source) {
+      elevation(source);
+      change(source);
+    });
+  };
+  expect_start(complaint([](auto& source) { source.format = "cvs"; }),
+               "format = cvs: expected one of csv, dualsphysics_gauge, dualsphysics_points, "
+               "openfoam_probes, openfoam_interface_height, openfoam_forces, "
+               "openfoam_field_value, sphinxsys, hdf5; nearest: csv");
+  expect_start(complaint([](auto& source) { source.column = "etta"; }),
+               "a.csv:1: column = etta: expected one of the file's 2 columns; nearest: eta, t");
+  expect_start(complaint([](auto& source) { source.column = "eta [cm]"; }),
+               "a.csv:1: column = eta [cm]: expected one of the file's 2 columns");
+  expect_start(complaint([](auto& source) { source.time_column = ""; }),
+               "time_column = (not given): expected the name of the file's column of times");
+  expect_start(complaint([](auto& source) { source.time_column = "time"; }),
+               "a.csv:1: time_column = time: expected one of the file's 2 columns");
+  expect_start(complaint([](auto& source) { source.unit = "Pa"; }),
+               "a.csv: unit = Pa: expected a unit of elevation@right, one of m, cm, mm");
+  expect_start(complaint([](auto& source) { source.quantity = "force_x"; }),
+               "a.csv: unit = mm: expected a unit of force_x, one of N/m, kN/m");
+  expect_start(complaint([](auto& source) { source.file = source.file.string() + ".gz"; }),
+               "file = a.csv.gz: expected a file; there is none");
+  expect_start(complaint([](auto& source) { source.format = "sphinxsys"; }),
+               "time_column = t: expected no time column or unit: a sphinxsys file has its own");
+  expect_start(complaint(as_it_is, "t [s];eta\n0;1\n"),
+               "a.csv: unit = (not given): expected a unit of elevation@right, one of m, cm, mm");
+  expect_start(complaint(as_it_is, "t;eta [m]\n0;1\n"),
+               "a.csv: time_unit = (not given): expected a unit of time, one of s, ms, min");
+  expect_start(complaint(as_it_is, "t [s];eta [m];eta [m]\n0;1;2\n"),
+               "a.csv:1: column = eta: expected a name that one column has; 2 have it");
+  expect_start(complaint(
+                   [](auto& source) {
+                     source.quantity = "force_x";
+                     source.column = "force";
+                   },
+                   "force [N];t [s]\n0;1\n"),
+               "a.csv: unit = N: expected a unit of force_x, one of N/m, kN/m");
+}
+
+TEST(ImportRefusal, NumbersThatCannotBeUsedAreToldWithTheirLine) {
+  const std::string head = "t [s];eta [mm]\n";
+  for (const auto& [rows, wanted] : std::vector<std::pair<std::string, std::string>>{
+           {"0;1\n1;nan\n", "a.csv:3: eta = nan: expected a number, in mm"},
+           {"0;1\n1;inf\n", "a.csv:3: eta = inf: expected a number, in mm"},
+           {"0;1\n1;-1e300\n", "a.csv:3: eta = -1e300: expected a value and not a mark of none"},
+           {"0;1\n1;\n", "a.csv:3: row = 1;: expected 2 values"},
+           {"0;1\n1;2;3\n", "a.csv:3: row = 1;2;3: expected 2 values"},
+           {"0;1\n1\n", "a.csv:3: row = 1: expected 2 values"},
+           {"0;1\n1;2\n1;2\n", "a.csv:4: t = 1: expected a number above the last row's 1, in s"},
+           {"0;1\n1;2\n2;3\n", "a.csv: rows = 3: expected at least 4"},
+           {"", "a.csv: rows = 0: expected at least 4"}})
+    expect_start(complaint_of(head + rows, elevation), "unusable: " + wanted);
+}
+
+std::string complaint_of_form(const std::string& format, const std::string& column,
+                              const std::string& text) {
+  return complaint_of(text, [&](SeriesSource& source) {
+    elevation(source);
+    source.format = format;
+    source.column = column;
+    source.unit = "m";
+    source.time_column.clear();
+  });
+}
+
+TEST(ImportRefusal, AFileOfAnotherProgramIsToldAsSuch) {
+  expect_start(complaint_of_form("dualsphysics_gauge", "eta", table), "a.csv:1: head = t [s];eta");
+  expect_start(complaint_of_form("dualsphysics_points", "eta", table), "a.csv:1: head = t [s];eta");
+  expect_start(complaint_of_form("sphinxsys", "eta", table), "a.csv:1: head = t [s];eta");
+  expect_start(complaint_of_form("openfoam_probes", "eta", table), "a.csv:1: head = t [s];eta");
+  expect_start(complaint_of_form("openfoam_forces", "eta", table), "a.csv:1: head = t [s];eta");
+  expect_start(complaint_of_form("openfoam_interface_height", "eta", table), "a.csv:1: head = t");
+  expect_start(complaint_of_form("hdf5", "/eta", table), "a.csv: format = hdf5: expected a whole");
+  expect_start(complaint_of_form("openfoam_forces", "total_x",
+                                 "# Time  forces(pressure viscous) moment(pressure viscous)\n"
+                                 "0.1 ((1 2 3) (4 5 6)) ((1 2 3) (4 5 6))\n"),
+               "a.csv:1: column = total_x: expected one of the file's 19 columns; nearest: "
+               "force_total_x");
+}
+
+TEST(ImportRefusal, ASeriesIsRefusedWhereItsProgramFoundNothing) {
+  const std::string probes =
+      "# Probe 0 (0 0 0)\n# Probe 1 (5 5 5)  # Not Found\n# Probe 0 1\n# Time\n";
+  expect_start(complaint_of_form("openfoam_probes", "probe_1", probes + "0.1 1 -1e+300\n"),
+               "unusable: a.csv:5: probe_1 = -1e+300: expected a value and not a mark of none");
+  expect_start(complaint_of_form("openfoam_probes", "probe_0", probes + "0.1 (1 2) (3 4)\n"),
+               "a.csv:5: row = 0.1 (1 2) (3 4): expected values that are numbers or vectors");
+  expect_start(complaint_of_form("openfoam_probes", "probe_2", probes + "0.1 1 2\n"),
+               "a.csv:4: column = probe_2: expected one of the file's 3 columns; nearest: probe_0");
+}
+
+// A surface that leaves the gauge's line is written as the line's end.
+TEST(ImportRefusal, ASurfaceAtTheEndOfItsGaugesLineIsNoReading) {
+  const std::string head =
+      "time [s];swlx [m];swly [m];swlz [m];pos0x [m];pos0y [m];pos0z [m];pos2x [m];pos2y [m];"
+      "pos2z [m]\n";
+  const auto row = [](double time, const char* surface) {
+    return fmt::format("{};0.95;0;{};0.95;0;0.3;0.95;0;0.45\n", time, surface);
+  };
+  const auto complaint = [&](const std::string& text, const char* column = "swlz") {
+    return complaint_of_form("dualsphysics_gauge", column, text);
+  };
+  const std::string inside = head + row(0, "0.35") + row(0.1, "0.449999") + row(0.2, "0.36");
+  EXPECT_EQ(complaint(inside + row(0.3, "0.37")), "");
+  expect_start(complaint(inside + row(0.3, "0.45")),
+               "unusable: a.csv:5: swlz = 0.45: expected a surface below the end of the gauge's "
+               "line, which stands in pos2z");
+  expect_start(complaint(inside + row(0.3, "0.3")),
+               "unusable: a.csv:5: swlz = 0.3: expected a surface above the beginning of the "
+               "gauge's line, which stands in pos0z");
+  EXPECT_EQ(complaint(inside + row(0.3, "0.45"), "swlx"), "") << "another column has no mark";
+}
+
+// Files of HDF5 of which a byte was changed: each gives a series or is refused, and none crashes or
+// holds up the import.
+
+std::string sound_file() {
+  std::vector<double> time, value;
+  for (int i = 0; i < 100; ++i) {
+    time.push_back(0.1 * i);
+    value.push_back(0.01 * std::sin(time.back()));
+  }
+  return hdf5::image_of([&](hid_t root) {
+    hdf5::write_attribute(hdf5::write_numbers(root, "time", time), "unit", "s");
+    hdf5::write_attribute(hdf5::write_numbers(root, "value", value), "unit", "m");
+  });
+}
+
+TEST(Hdf5Damage, CrashesNoImport) {
+  const TemporaryDirectory directory;
+  const SeriesSource source{.quantity = "elevation@right",
+                            .file = directory.path() / "a.h5",
+                            .format = "hdf5",
+                            .column = "value",
+                            .time_column = "time"};
+  const std::string sound = sound_file();
+  int taken = 0, refused = 0, ended = 0;
+  for (std::size_t i = 0; i < 400; ++i) {
+    std::string bytes = sound;
+    // What describes the data comes first.
+    const std::size_t at = 97 * i % std::min<std::size_t>(bytes.size(), 4096);
+    bytes[at] = static_cast<char>(bytes[at] ^ (1 << (i % 8)) ^ (i % 3 == 0 ? 0xff : 0));
+    std::ofstream(source.file, std::ios::binary) << bytes;
+    try {
+      EXPECT_EQ(import_series(source).time.size(), 100u);
+      ++taken;
+    } catch (const CaseFileError& error) {
+      ++refused;
+      ended += std::string(error.what()).find(": reading it ") != std::string::npos;
+      EXPECT_TRUE(std::string(error.what()).starts_with(source.file.string())) << error.what();
+    } catch (const ResultError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(taken, 20);
+  EXPECT_GT(refused, 20);
+  RecordProperty("ended", ended);  // by a crash or a limit; their number is that of HDF5's version
 }
 
 }  // namespace
