@@ -13,6 +13,7 @@
 #include "verification/problems/problem_list.hpp"
 #include "verification/problems/problem_result.hpp"
 #include "verification/runs/tests/key_question.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::problem_test {
@@ -44,13 +45,8 @@ TEST(Problems, HaveNamesOfTheirOwnAndMeasuresOfTheirOwn) {
 }
 
 TEST(Problems, AreSuggestedWhereANameIsWrong) {
-  try {
-    find_problem("taylor_gren");
-    FAIL() << "found a problem that is not there";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("nearest: taylor_green"), std::string::npos)
-        << error.what();
-  }
+  EXPECT_TRUE(holds(message_of<std::invalid_argument>([] { find_problem("taylor_gren"); }),
+                    "nearest: taylor_green"));
 }
 
 TEST(ShippedCampaigns, GateEveryProblemOnceAndEveryGateRowHasASource) {
