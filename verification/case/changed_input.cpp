@@ -55,9 +55,15 @@ void stretch_period(CaseDefinition& definition, double change) {
   if (definition.declared_forcing_frequency) *definition.declared_forcing_frequency /= factor;
 }
 
+// [m] or [deg]
+void change_amplitude(CaseDefinition& definition, double change) {
+  if (definition.motion.surge) raise_amplitude(*definition.motion.surge, change);
+  if (definition.motion.roll) raise_amplitude(definition.motion.roll->angle, change * pi / 180);
+}
+
 // In a tank that surges and rolls, both motions start elsewhere.
-void change_start(CaseDefinition& definition, double radians) {
-  const auto change = [radians](MotionHistory& motion) {
+void change_start(CaseDefinition& definition, double degrees) {
+  const auto change = [radians = degrees * pi / 180](MotionHistory& motion) {
     if (auto* sine = std::get_if<SineMotion>(&motion))
       sine->phase += radians;
     else if (auto* sum = std::get_if<SumOfSines>(&motion))
@@ -76,6 +82,29 @@ void move_gauges(CaseDefinition& definition, double change) {
     if (gauge.at) gauge.at = moved_along(definition.tank.outline, *gauge.at, change);
   }
   for (ProbeDefinition& probe : definition.probes) probe.x += change;
+}
+
+struct InputRow {
+  Input input;
+  const char* unit;  // of an amplitude that of a surge
+  void (*change)(CaseDefinition&, double);
+};
+
+const InputRow input_rows[] = {
+    {Input::fill_depth, "m", [](CaseDefinition& it, double by) { it.liquid.fill_depth += by; }},
+    {Input::period, "s", stretch_period},
+    {Input::amplitude, "m", change_amplitude},
+    {Input::start_phase, "deg", change_start},
+    {Input::sensor_position, "m", move_gauges},
+    {Input::density, "kg/m3", [](CaseDefinition& it, double by) { it.liquid.density += by; }},
+    {Input::kinematic_viscosity, "m2/s",
+     [](CaseDefinition& it, double by) { it.liquid.kinematic_viscosity += by; }},
+    {Input::gravity, "m/s2", [](CaseDefinition& it, double by) { it.gravity += by; }}};
+
+const InputRow& row_of_input(Input input) {
+  for (const InputRow& row : input_rows)
+    if (row.input == input) return row;
+  throw std::logic_error("an input without a row");
 }
 
 bool is_possible(const SineMotion& sine) {
@@ -124,54 +153,11 @@ std::optional<std::string> gauge_outside(const CaseDefinition& definition) {
 std::string input_name(Input input) { return name_of(input, input_names); }
 
 std::string input_unit(Input input, const MotionDefinition& motion) {
-  switch (input) {
-    case Input::period:
-      return "s";
-    case Input::amplitude:
-      return motion.roll ? "deg" : "m";
-    case Input::fill_depth:
-    case Input::sensor_position:
-      return "m";
-    case Input::density:
-      return "kg/m3";
-    case Input::kinematic_viscosity:
-      return "m2/s";
-    case Input::gravity:
-      return "m/s2";
-    case Input::start_phase:
-      return "deg";
-  }
-  throw std::logic_error("an input without a unit");
+  return input == Input::amplitude && motion.roll ? "deg" : row_of_input(input).unit;
 }
 
 CaseDefinition with_input(CaseDefinition definition, Input input, double change) {
-  switch (input) {
-    case Input::fill_depth:
-      definition.liquid.fill_depth += change;
-      break;
-    case Input::period:
-      stretch_period(definition, change);
-      break;
-    case Input::amplitude:
-      if (definition.motion.surge) raise_amplitude(*definition.motion.surge, change);
-      if (definition.motion.roll) raise_amplitude(definition.motion.roll->angle, change * pi / 180);
-      break;
-    case Input::sensor_position:
-      move_gauges(definition, change);
-      break;
-    case Input::density:
-      definition.liquid.density += change;
-      break;
-    case Input::kinematic_viscosity:
-      definition.liquid.kinematic_viscosity += change;
-      break;
-    case Input::gravity:
-      definition.gravity += change;
-      break;
-    case Input::start_phase:
-      change_start(definition, change * pi / 180);
-      break;
-  }
+  row_of_input(input).change(definition, change);
   return definition;
 }
 

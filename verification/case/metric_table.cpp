@@ -107,6 +107,35 @@ constexpr std::array<MetricEntry, metric_count> metric_rows() {
 
 constexpr std::array<MetricEntry, metric_count> metrics = metric_rows();
 
+enum class Modes { fitted, natural, impacts, whole };
+
+// What holds for all metrics that are measured on the same.
+struct MeasuredOnRow {
+  MeasuredOn on;
+  Modes modes;
+  bool is_of_a_pair = false;
+};
+
+constexpr MeasuredOnRow rows_of_measured[] = {{MeasuredOn::any_mode, Modes::fitted, true},
+                                              {MeasuredOn::natural_mode, Modes::natural, true},
+                                              {MeasuredOn::whole_window, Modes::whole, true},
+                                              {MeasuredOn::oscillation, Modes::whole, true},
+                                              {MeasuredOn::front, Modes::whole, true},
+                                              {MeasuredOn::band, Modes::whole, true},
+                                              {MeasuredOn::own_series, Modes::whole},
+                                              {MeasuredOn::own_mode, Modes::natural},
+                                              {MeasuredOn::impact, Modes::impacts},
+                                              {MeasuredOn::repeated_impact, Modes::impacts},
+                                              {MeasuredOn::plateau, Modes::whole},
+                                              {MeasuredOn::field, Modes::whole},
+                                              {MeasuredOn::cost, Modes::whole}};
+
+const MeasuredOnRow& row_of_measured(const MetricEntry& metric) {
+  for (const MeasuredOnRow& row : rows_of_measured)
+    if (row.on == metric.measured_on) return row;
+  throw std::logic_error("a metric that is measured on nothing");
+}
+
 constexpr bool are_in_the_order_of_the_enumeration() {
   for (std::size_t i = 0; i < metrics.size(); ++i)
     if (metrics[i].metric != static_cast<Metric>(i)) return false;
@@ -136,26 +165,7 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit) {
   return unit.empty() ? quantity_unit : unit;
 }
 
-bool is_of_a_pair(const MetricEntry& metric) {
-  switch (metric.measured_on) {
-    case MeasuredOn::any_mode:
-    case MeasuredOn::natural_mode:
-    case MeasuredOn::whole_window:
-    case MeasuredOn::oscillation:
-    case MeasuredOn::front:
-    case MeasuredOn::band:
-      return true;
-    case MeasuredOn::own_series:
-    case MeasuredOn::own_mode:
-    case MeasuredOn::impact:
-    case MeasuredOn::repeated_impact:
-    case MeasuredOn::plateau:
-    case MeasuredOn::field:
-    case MeasuredOn::cost:
-      return false;
-  }
-  throw std::logic_error("a metric that is measured on nothing");
-}
+bool is_of_a_pair(const MetricEntry& metric) { return row_of_measured(metric).is_of_a_pair; }
 
 bool is_of_candidate_alone(Metric metric) {
   const MeasuredOn measured_on = metric_entry(metric).measured_on;
@@ -186,54 +196,28 @@ bool is_angle(Metric metric) { return metric_entry(metric).unit == std::string("
 std::vector<std::string> measured_modes(const MetricEntry& metric,
                                         const std::vector<std::string>& fitted, bool is_front) {
   std::vector<std::string> natural;
-  switch (metric.measured_on) {
-    case MeasuredOn::any_mode:
+  switch (row_of_measured(metric).modes) {
+    case Modes::fitted:
       return fitted;
-    case MeasuredOn::natural_mode:
-    case MeasuredOn::own_mode:
+    case Modes::natural:
       std::copy_if(fitted.begin(), fitted.end(), std::back_inserter(natural),
                    [](const std::string& mode) { return mode.starts_with("natural_"); });
       return natural;
-    case MeasuredOn::front:
-      if (!is_front) return {};
-      break;
-    case MeasuredOn::oscillation:
-      if (fitted.empty()) return {};
-      break;
-    case MeasuredOn::impact:
-    case MeasuredOn::repeated_impact:
+    case Modes::impacts:
       return {};
-    case MeasuredOn::whole_window:
-    case MeasuredOn::own_series:
-    case MeasuredOn::plateau:
-    case MeasuredOn::band:
-    case MeasuredOn::field:
-    case MeasuredOn::cost:
+    case Modes::whole:
       break;
   }
-  return {"whole"};
+  const bool has_none = (metric.measured_on == MeasuredOn::front && !is_front) ||
+                        (metric.measured_on == MeasuredOn::oscillation && fitted.empty());
+  return has_none ? std::vector<std::string>{} : std::vector<std::string>{"whole"};
 }
 
 std::optional<std::string> default_mode(const MetricEntry& metric) {
-  switch (metric.measured_on) {
-    case MeasuredOn::any_mode:
-      return "forced";
-    case MeasuredOn::natural_mode:
-    case MeasuredOn::own_mode:
-    case MeasuredOn::impact:
-    case MeasuredOn::repeated_impact:
-      return std::nullopt;
-    case MeasuredOn::whole_window:
-    case MeasuredOn::oscillation:
-    case MeasuredOn::front:
-    case MeasuredOn::own_series:
-    case MeasuredOn::plateau:
-    case MeasuredOn::band:
-    case MeasuredOn::field:
-    case MeasuredOn::cost:
-      break;
-  }
-  return "whole";
+  const Modes modes = row_of_measured(metric).modes;
+  if (modes == Modes::fitted) return "forced";
+  if (modes == Modes::whole) return "whole";
+  return std::nullopt;
 }
 
 std::string measured_on_text(const MetricEntry& metric) {

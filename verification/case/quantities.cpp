@@ -77,17 +77,7 @@ std::string normal_force(Wall wall) {
 }
 
 const char* placeholder(MeasuredAt at) {
-  switch (at) {
-    case MeasuredAt::probe:
-      return "PROBE";
-    case MeasuredAt::wall:
-      return "WALL";
-    case MeasuredAt::tank:
-    case MeasuredAt::surface_gauge:
-    case MeasuredAt::pressure_gauge:
-      break;
-  }
-  return "GAUGE";
+  return at == MeasuredAt::probe ? "PROBE" : at == MeasuredAt::wall ? "WALL" : "GAUGE";
 }
 
 // Adds the series of a pressure gauge, which has a filtered one beside it if it has a filter.

@@ -87,13 +87,6 @@ void add_run(const TomlTable& run, const TomlTable& sweep, const std::filesystem
   }
 }
 
-template <class Named>
-std::vector<std::string> names_of(const std::vector<Named>& all) {
-  std::vector<std::string> names;
-  for (const Named& one : all) names.push_back(one.name);
-  return names;
-}
-
 // The name must be known.
 template <class Named>
 const Named& named(const std::vector<Named>& all, const std::string& name) {
@@ -264,8 +257,7 @@ void add_swept_runs(const CampaignDefinition& campaign, const std::filesystem::p
 
 void require_swept_cases(const CampaignDefinition& campaign,
                          const std::vector<CaseDefinition>& cases) {
-  std::vector<std::string> names;
-  for (const CaseDefinition& one : cases) names.push_back(one.name);
+  const std::vector<std::string> names = names_of(cases);
   const Rule<std::string> known{
       one_of_text("a case of the campaign or a pattern of them", names),
       [&](const std::string& pattern) {

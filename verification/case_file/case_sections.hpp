@@ -28,6 +28,19 @@ inline constexpr double water_kinematic_viscosity = 1e-6;  // [m2/s]
 // Sutherland's formula as ISO 2533:1975 gives them.
 inline constexpr GasDefinition air{.density = 1.2, .kinematic_viscosity = 1.5e-5};
 
+// The names of those that are kept, in their order.
+template <class All, class Keep>
+std::vector<std::string> names_where(const All& all, const Keep& keep) {
+  std::vector<std::string> names;
+  for (const auto& one : all)
+    if (keep(one)) names.push_back(one.name);
+  return names;
+}
+template <class All>
+std::vector<std::string> names_of(const All& all) {
+  return names_where(all, [](const auto&) { return true; });
+}
+
 // The keys of the tables that a struct holds.
 extern const FieldTable<TankDefinition> tank_table;
 extern const FieldTable<LiquidDefinition> liquid_table;

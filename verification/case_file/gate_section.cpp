@@ -19,20 +19,13 @@ namespace slosh {
 namespace {
 
 std::string names_of_costs() {
-  std::vector<std::string> names;
-  for (const MetricEntry& entry : metric_table())
-    if (is_cost(entry.metric)) names.push_back(entry.name);
-  return fmt::format("{}", fmt::join(names, " | "));
-}
-
-std::vector<std::string> metric_names() {
-  std::vector<std::string> names;
-  for (const MetricEntry& entry : metric_table()) names.push_back(entry.name);
-  return names;
+  const auto costs =
+      names_where(metric_table(), [](const MetricEntry& entry) { return is_cost(entry.metric); });
+  return fmt::format("{}", fmt::join(costs, " | "));
 }
 
 const MetricEntry& read_metric(const TomlTable& row) {
-  return metric_entry(row.choice("metric", "a metric", metric_names()));
+  return metric_entry(row.choice("metric", "a metric", names_of(metric_table())));
 }
 
 std::vector<std::string> impact_names(const ImpactsDefinition& impacts) {
@@ -74,22 +67,17 @@ const RecordRun* as_record(const CaseDefinition& definition, const std::string& 
 
 // A published record is a reference and never a candidate. The first member represents an ensemble.
 std::vector<std::string> candidates(const CaseDefinition& definition) {
-  std::vector<std::string> names;
-  for (const RunDefinition& run : definition.runs)
-    if (!is_record(run) && !is_later_member(run)) names.push_back(run.name);
-  return names;
+  return names_where(definition.runs, [](const RunDefinition& run) {
+    return !is_record(run) && !is_later_member(run);
+  });
 }
 
 std::vector<std::string> runs_besides(const std::vector<std::string>& excluded,
                                       const CaseDefinition& definition) {
-  std::vector<std::string> names;
-  for (const RunDefinition& run : definition.runs) {
-    if (!is_later_member(run) &&
-        std::find(excluded.begin(), excluded.end(), run.name) == excluded.end()) {
-      names.push_back(run.name);
-    }
-  }
-  return names;
+  return names_where(definition.runs, [&](const RunDefinition& run) {
+    return !is_later_member(run) &&
+           std::find(excluded.begin(), excluded.end(), run.name) == excluded.end();
+  });
 }
 
 BoundScales scales_of(const CaseDefinition& definition, const std::string& unit) {
@@ -323,12 +311,10 @@ void read_impact_series(const TomlTable& row, const MetricEntry& metric,
 // The reference's mesh is what the fields are compared on, and its liquid is known by cells.
 std::vector<std::string> meshes_besides(const std::string& candidate,
                                         const CaseDefinition& definition) {
-  std::vector<std::string> names;
-  for (const RunDefinition& run : definition.runs)
-    if (std::holds_alternative<InterFoamRun>(run.solver) && !is_later_member(run) &&
-        run.name != candidate)
-      names.push_back(run.name);
-  return names;
+  return names_where(definition.runs, [&](const RunDefinition& run) {
+    return std::holds_alternative<InterFoamRun>(run.solver) && !is_later_member(run) &&
+           run.name != candidate;
+  });
 }
 
 void read_field(const TomlTable& row, const MetricEntry& metric, const CaseDefinition& definition,
@@ -372,7 +358,7 @@ std::vector<TomlTable> gate_rows(const TomlTable& group, const CaseDefinition& d
                                                       .key_of_several = "candidates",
                                                       .what = "a run",
                                                       .names = std::move(names),
-                                                      .metrics = metric_names(),
+                                                      .metrics = names_of(metric_table()),
                                                       .table = "gate"});
   if (std::any_of(rows.begin(), rows.end(), takes_reference))
     for (TomlTable& row : rows)

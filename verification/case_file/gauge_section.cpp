@@ -16,13 +16,6 @@ using namespace needed;
 
 namespace {
 
-std::vector<std::string> pressure_gauge_names(const CaseDefinition& definition) {
-  std::vector<std::string> names;
-  for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
-    names.push_back(gauge.name);
-  return names;
-}
-
 // Each impact is sought within a quarter of a period of its time (impact_peaks.hpp). These
 // intervals must lie within the run and must not overlap.
 void refuse_times(const TomlTable& impacts, const ImpactsDefinition& read, double duration) {
@@ -314,7 +307,7 @@ ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& d
   impacts.allow_only(impacts_table.names());
   refuse_lonely_keys(impacts);
   ImpactsDefinition read{};
-  read.gauge = impacts.choice("gauge", "a pressure gauge", pressure_gauge_names(definition));
+  read.gauge = impacts.choice("gauge", "a pressure gauge", names_of(definition.pressure_gauges));
   impacts_table.read_into(impacts, definition, read);
   refuse_times(impacts, read, definition.duration);
   refuse_other_counts(impacts, read.times.size());

@@ -56,50 +56,30 @@ std::string section(const KeyTable& table) {
   return text + "\n";
 }
 
-std::string measured_on(const MetricEntry& metric) {
-  switch (metric.measured_on) {
-    case MeasuredOn::any_mode:
-      return "the forced or a natural mode";
-    case MeasuredOn::natural_mode:
-      return "a natural mode";
-    case MeasuredOn::whole_window:
-      return "the whole window";
-    case MeasuredOn::oscillation:
-      return "the whole window of an oscillating quantity";
-    case MeasuredOn::front:
-      return "the whole window of a quantity without modes";
-    case MeasuredOn::own_series:
-      return "the candidate alone, over the whole run";
-    case MeasuredOn::own_mode:
-      return "a natural mode of the candidate alone";
-    case MeasuredOn::impact:
-      return "a published impact";
-    case MeasuredOn::repeated_impact:
-      return "a published impact, over an ensemble";
-    case MeasuredOn::plateau:
-      return "the published plateau";
-    case MeasuredOn::band:
-      return "the window of a record with a band";
-    case MeasuredOn::field:
-      return "the fields at the snapshot times";
-    case MeasuredOn::cost:
-      return "the candidate's method against the reference";
-  }
-  return "";
-}
+constexpr EnumName<MeasuredOn> measured_on_names[] = {
+    {MeasuredOn::any_mode, "the forced or a natural mode"},
+    {MeasuredOn::natural_mode, "a natural mode"},
+    {MeasuredOn::whole_window, "the whole window"},
+    {MeasuredOn::oscillation, "the whole window of an oscillating quantity"},
+    {MeasuredOn::front, "the whole window of a quantity without modes"},
+    {MeasuredOn::own_series, "the candidate alone, over the whole run"},
+    {MeasuredOn::own_mode, "a natural mode of the candidate alone"},
+    {MeasuredOn::impact, "a published impact"},
+    {MeasuredOn::repeated_impact, "a published impact, over an ensemble"},
+    {MeasuredOn::plateau, "the published plateau"},
+    {MeasuredOn::band, "the window of a record with a band"},
+    {MeasuredOn::field, "the fields at the snapshot times"},
+    {MeasuredOn::cost, "the candidate's method against the reference"}};
 
-std::string widest(const MetricEntry& metric) {
-  switch (metric.widest.scale) {
-    case BoundScale::unit:
-      return fmt::format("{:g}", metric.widest.below);
-    case BoundScale::window:
-      return fmt::format("{:g} of the window", metric.widest.below);
-    case BoundScale::impact_period:
-      return fmt::format("{:g} of the impacts' period", metric.widest.below);
-    case BoundScale::tank:
-      return "by the tank";
-  }
-  return "";
+constexpr EnumName<BoundScale> scale_names[] = {
+    {BoundScale::unit, ""},
+    {BoundScale::window, " of the window"},
+    {BoundScale::impact_period, " of the impacts' period"}};
+
+std::string widest(const WidestBound& widest) {
+  return widest.scale == BoundScale::tank
+             ? "by the tank"
+             : fmt::format("{:g}{}", widest.below, name_of(widest.scale, scale_names));
 }
 
 std::string metric_section() {
@@ -110,8 +90,9 @@ std::string metric_section() {
       "| metric | unit | measured on | widest bound | because |\n|---|---|---|---|---|\n";
   for (const MetricEntry& metric : metric_table())
     text += fmt::format("| `{}` | {} | {} | {} | {} |\n", metric.name,
-                        *metric.unit ? metric.unit : "the quantity's", measured_on(metric),
-                        widest(metric), metric.widest.because);
+                        *metric.unit ? metric.unit : "the quantity's",
+                        name_of(metric.measured_on, measured_on_names), widest(metric.widest),
+                        metric.widest.because);
   return text + "\n";
 }
 

@@ -71,17 +71,16 @@ bool has_input(const MotionDefinition& motion, Input input) {
 }
 
 Input read_name(const TomlTable& table, const CaseDefinition& definition) {
-  std::vector<std::string> names;
-  for (const auto& [input, name] : input_names)
-    if (has_input(definition.motion, input)) names.push_back(name);
+  const auto names = names_where(input_names, [&](const EnumName<Input>& input) {
+    return has_input(definition.motion, input.value);
+  });
   return value_of(table.choice("name", "an input that this case has", names), input_names);
 }
 
 std::string read_coarse_run(const TomlTable& table, const CaseDefinition& definition) {
-  std::vector<std::string> names;
-  for (const RunDefinition& run : definition.runs)
-    if (solver_kind(run).solves_flow) names.push_back(run.name);
-  return table.choice("coarse_run", "an SPH or OpenFOAM run of this case", names);
+  const auto solves_flow = [](const RunDefinition& run) { return solver_kind(run).solves_flow; };
+  return table.choice("coarse_run", "an SPH or OpenFOAM run of this case",
+                      names_where(definition.runs, solves_flow));
 }
 
 }  // namespace
@@ -92,9 +91,9 @@ RefinementDefinition read_refinement(const TomlTable& refinement,
   RefinementDefinition path;
   path.name = refinement.get("name", file_safe_name());
   path.number = refinement.choice("number", "what the runs refine", refined_number_names);
-  std::vector<std::string> known;
-  for (const RunDefinition& run : definition.runs)
-    if (!is_later_member(run) && has_number(run, path.number)) known.push_back(run.name);
+  const auto known = names_where(definition.runs, [&](const RunDefinition& run) {
+    return !is_later_member(run) && has_number(run, path.number);
+  });
   for (const PlacedText& run : refinement.texts("runs", any_text())) {
     if (std::find(known.begin(), known.end(), run.text) == known.end())
       refinement.refuse(

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <random>
 #include <utility>
 
 #include "sph/guards/stability_guard.hpp"
@@ -79,6 +80,17 @@ sph::Particles lattice(const Box& box, const Keep& keep) {
 
 inline sph::Particles full_lattice(const Box& box) {
   return lattice(box, [](double, double) { return true; });
+}
+
+// Gives the particles random velocities of at most `largest` along x and along z [m/s], always the
+// same.
+inline void set_random_velocities(sph::Particles& p, double largest) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> speed(-largest, largest);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    p.velocity_x[i] = speed(random);
+    p.velocity_z[i] = speed(random);
+  }
 }
 
 // Gives a particle the density of a pressure, and the mass that fills its cell at that density.

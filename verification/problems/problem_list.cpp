@@ -12,9 +12,9 @@ namespace slosh {
 
 const std::vector<Problem>& all_problems() {
   static const std::vector<Problem> problems{
-      taylor_green_problem(),     oscillating_drop_problem(), rigid_rotation_problem(),
-      courant_map_problem(),      viscosity_map_problem(),    gamma_map_problem(),
-      diffusion_map_problem(),    lattice_buckling_problem(), lattice_resistance_problem()};
+      taylor_green_problem(),  oscillating_drop_problem(), rigid_rotation_problem(),
+      courant_map_problem(),   viscosity_map_problem(),    gamma_map_problem(),
+      diffusion_map_problem(), lattice_buckling_problem(), lattice_resistance_problem()};
   return problems;
 }
 

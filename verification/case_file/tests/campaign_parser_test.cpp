@@ -2,10 +2,8 @@
 #include "verification/case_file/campaign_parser.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "verification/case/ensemble.hpp"
@@ -13,7 +11,7 @@
 #include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/messages.hpp"
 #include "verification/tests/small_campaign.hpp"
-#include "verification/tests/temporary_directory.hpp"
+#include "verification/tests/trial_case.hpp"
 
 namespace slosh::campaign_parser_test {
 namespace {
@@ -29,40 +27,31 @@ const std::vector<KnownProblem> problems{{"eddy", {{"velocity", "m/s"}, {"decay_
 const std::string head =
     "schema_version = 1\nname = \"trial\"\ntitle = \"A trial\"\nsource = \"none\"\n";
 
+// What the reader says of the file, without its directory; "" when nothing is wrong.
+template <class Read>
+std::string said_of(const fs::path& file, const Read& read) {
+  const std::string message = message_of<CaseFileError>(read);
+  return message.empty() ? "" : message.substr(file.parent_path().string().size() + 1);
+}
+
 class CampaignParser : public ::testing::Test {
  protected:
-  CampaignParser()
-      : directory_(fs::temp_directory_path() / ("slosh_campaign_" + std::to_string(::getpid()))) {
-    fs::create_directories(directory_);
-  }
-  ~CampaignParser() override { fs::remove_all(directory_); }
-
   CampaignDefinition read(const std::string& text) const {
-    std::ofstream(directory_ / "trial.toml") << text;
-    return read_campaign(directory_ / "trial.toml", cases, problems);
+    return read_campaign(workspace_.write("trial.toml", text), cases, problems);
   }
-
-  // The message without the directory; "" when nothing was wrong.
   std::string complaint(const std::string& text) const {
-    try {
-      read(text);
-      return "";
-    } catch (const CaseFileError& error) {
-      return std::string(error.what()).substr(directory_.string().size() + 1);
-    }
+    return said_of(workspace_.path() / "trial.toml", [&] { read(text); });
   }
-
   // The rows' mistakes, made in this campaign.
   void refuse(const std::string& text, const std::string& rows) const {
     Trial trial(text);
-    trial.complaint = [&](const fs::path& file) {
-      std::ifstream stream(file);
-      return complaint({std::istreambuf_iterator<char>(stream), {}});
+    trial.complaint = [](const fs::path& file) {
+      return said_of(file, [&] { read_campaign(file, cases, problems); });
     };
     expect_refusals(trial, rows);
   }
 
-  fs::path directory_;
+  const Workspace workspace_;
 };
 
 TEST_F(CampaignParser, ReadsTheShippedCampaignWhoseCasesAllParse) {
@@ -94,9 +83,9 @@ TEST_F(CampaignParser, TellsAllMistakesAtOnce) {
 }
 
 TEST_F(CampaignParser, TakesPathsRelativeToTheCampaign) {
-  std::ofstream(directory_ / "own.toml") << "not read here";
+  workspace_.write("own.toml", "not read here");
   const auto campaign = read(head + "cases = [\"own.toml\", \"li2010_small_amplitude\"]\n");
-  EXPECT_EQ(campaign.cases.at(0), directory_ / "own.toml");
+  EXPECT_EQ(campaign.cases.at(0), workspace_.path() / "own.toml");
   EXPECT_EQ(campaign.cases.at(1), cases / "li2010_small_amplitude.toml");
 }
 
@@ -226,39 +215,30 @@ reason = "The runs are coarse."
 source = "made for a test"
 )";
 
+// The case beside the campaign, with the runs that it adds.
+CaseDefinition swept_by(const fs::path& campaign) {
+  CaseDefinition definition = read_case(campaign.parent_path() / "small.toml");
+  const CampaignDefinition swept = read_campaign(campaign, campaign.parent_path(), {});
+  add_swept_runs(swept, "", definition);
+  require_swept_cases(swept, {definition});
+  return definition;
+}
+
 class Sweep : public ::testing::Test {
  protected:
-  Sweep() { std::ofstream(directory.path() / "small.toml") << particles_case; }
-
-  CampaignDefinition campaign(const std::string& text) const {
-    std::ofstream(directory.path() / "swept.toml") << swept_head << text;
-    return read_campaign(directory.path() / "swept.toml", directory.path(), {});
+  fs::path campaign(const std::string& text) const {
+    workspace_.write("small.toml", particles_case);
+    return workspace_.write("swept.toml", swept_head + text);
   }
-  CaseDefinition swept(const std::string& text) const {
-    CaseDefinition definition = read_case(directory.path() / "small.toml");
-    const CampaignDefinition swept = campaign(text);
-    add_swept_runs(swept, "", definition);
-    require_swept_cases(swept, {definition});
-    return definition;
-  }
+  CaseDefinition swept(const std::string& text) const { return swept_by(campaign(text)); }
   // The rows' mistakes, made in the campaign of this text.
   void refuse(const std::string& text, const std::string& rows) const {
-    Trial trial(swept_head + text);
-    trial.complaint = [&](const std::filesystem::path& file) {
-      std::ifstream stream(file);
-      const std::string changed{std::istreambuf_iterator<char>(stream), {}};
-      try {
-        swept(changed.substr(swept_head.size()));
-        return std::string();
-      } catch (const CaseFileError& error) {
-        return "trial" +
-               std::string(error.what()).substr((directory.path() / "swept").string().size());
-      }
-    };
+    Trial trial(swept_head + text, {{"small.toml", particles_case}});
+    trial.complaint = [](const fs::path& file) { return said_of(file, [&] { swept_by(file); }); };
     expect_refusals(trial, rows);
   }
 
-  TemporaryDirectory directory;
+  const Workspace workspace_;
 };
 
 TEST_F(Sweep, AddsEveryCombinationOfWhatItLists) {
@@ -354,13 +334,16 @@ sweep.name = "{time_limit_s}_{particle_spacing_m}" & sweep.time_limit_s = [1, 2]
 }
 
 TEST_F(Sweep, IsReadWithTheCampaignsTiming) {
+  const auto timing_of = [&](const std::string& text) {
+    return read_campaign(campaign(text), workspace_.path(), {}).timing;
+  };
   const TimingDefinition timing =
-      campaign("[timing]\nrepeats = 3\nlongest_run_s = 5\nonly = [\"small/*\"]\n").timing;
+      timing_of("[timing]\nrepeats = 3\nlongest_run_s = 5\nonly = [\"small/*\"]\n");
   EXPECT_EQ(timing.repeats, 3);
   EXPECT_EQ(timing.longest_run, 5);
   EXPECT_EQ(timing.only, std::vector<std::string>{"small/*"});
-  EXPECT_THROW(campaign("[timing]\nrepeats = 0\n"), CaseFileError);
-  EXPECT_THROW(campaign("[timing]\nrepeat = 1\n"), CaseFileError);
+  EXPECT_THROW(timing_of("[timing]\nrepeats = 0\n"), CaseFileError);
+  EXPECT_THROW(timing_of("[timing]\nrepeat = 1\n"), CaseFileError);
 }
 
 }  // namespace

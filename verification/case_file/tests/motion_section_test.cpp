@@ -29,9 +29,7 @@ std::string moved_by(const std::string& motion) {
 
 CaseDefinition with_table(const std::string& motion, const std::string& name,
                           const std::string& csv) {
-  const Workspace workspace;
-  workspace.write(name, csv);
-  return read_case(workspace.write("trial.toml", moved_by(motion)));
+  return read_trial({moved_by(motion), {{name, csv}}});
 }
 
 TEST(MotionSection, ReadsARollAboutAnyPoint) {
@@ -335,10 +333,8 @@ TEST(MotionSection, KnowsNoForcedModeOfATableUnlessItsFrequencyIsDeclared) {
 -> gate.mode = "forced": expected
 comparison.forcing_angular_frequency_rad_s = 3.84: accepted
 )");
-  const Workspace workspace;
-  workspace.write("roll.csv", trial.files.at("roll.csv"));
-  const CaseDefinition definition = read_case(workspace.write(
-      "trial.toml", with_keys(trial.text, "comparison.forcing_angular_frequency_rad_s = 3.84")));
+  const CaseDefinition definition = read_trial(
+      {with_keys(trial.text, "comparison.forcing_angular_frequency_rad_s = 3.84"), trial.files});
   EXPECT_EQ(forcing_frequency(definition), 3.84);
   EXPECT_EQ(definition.gate.at(0).mode, "forced");
 }

@@ -234,13 +234,6 @@ TEST(SolverKeys, OfAnotherSolverAreRefused) {
   EXPECT_GT(pairs, 150u);
 }
 
-TEST(SolverKeys, OfTheOtherSolversAreNoneOfSph) {
-  const Keys sph = keys_of(forms.front());
-  EXPECT_TRUE(contains(sph, "scheme"));
-  for (const char* key : {"cells_x", "modes", "nodes_x", "file", "uncertainty", "command"})
-    EXPECT_FALSE(contains(sph, key)) << key;
-}
-
 TEST(SolverKeys, AMisspeltSolverIsToldByTheNearestKey) {
   const std::string message = complaint_about({"solver = \"interfoam\"", "solvr = \"interfoam\""});
   EXPECT_TRUE(begins(message, "trial.toml:49: run.solvr = \"interfoam\": expected only"));

@@ -147,56 +147,17 @@ probe.x_m = 0.4: expected a place inside the tank's outline, which reaches from 
 
 // What a tank that is no rectangle excludes.
 
-const std::string top = R"(schema_version = 1
-name = "trial"
-title = "A trial"
-source = "none"
-)";
-const std::string tables = R"([tank]
-diameter_m = 1.0
-[liquid]
-fill_depth_m = 0.4
-[motion.surge]
-type = "sine"
-amplitude_m = 0.02
-period_s = 1.1
-[time]
-start = "tank"
-duration_s = 5.0
-sample_interval_s = 0.01
-[[gauge]]
-name = "middle"
-x_m = 0.5
-[comparison]
-window_begin_s = 1.0
-natural_modes = 0
-)";
-const std::string runs = R"([[run]]
-name = "sph"
-solver = "sph"
-scheme = "recommended"
-particle_spacing_m = 0.02
-[[run]]
-name = "mesh"
-solver = "interfoam"
-cells_x = 50
-cells_z = 50
-)";
-
-const std::string trial = top + tables + runs;
-
-std::string complaint_of(const std::string& text) {
-  const Workspace workspace;
-  return complaint(workspace.write("trial.toml", text));
-}
+const std::string cylinder = with_tank("diameter_m = 2\n");
 
 TEST(Outline, ExcludesWhatStandsAtTheWallsOfARectangle) {
-  const std::string all = complaint_of(
-      with_keys(trial, "wall_forces = [\"left\"] & liquid.column_width_m = 0.2") +
-      "[[obstacle]]\nname = \"baffle\"\nleft_m = 0.4\nright_m = 0.5\nbottom_m = 0\ntop_m = 0.1\n"
-      "[initial_wave]\nmode = 1\namplitude_m = 0.01\n");
+  const Workspace workspace;
+  const std::string all = complaint(workspace.write(
+      "trial.toml", with_keys(cylinder, "wall_forces = [\"left\"] & liquid.column_width_m = 0.2") +
+                        "[[obstacle]]\nname = \"baffle\"\nleft_m = 0.4\nright_m = 0.5\nbottom_m = "
+                        "0\ntop_m = 0.1\n"
+                        "[initial_wave]\nmode = 1\namplitude_m = 0.01\n"));
   for (const char* wanted :
-       {"trial.toml:5: wall_forces = (an array): expected no wall_forces beside tank.diameter_m: "
+       {"trial.toml:7: wall_forces = (an array): expected no wall_forces beside tank.diameter_m: "
         "its sides have no names",
         "obstacle = (an array of tables): expected no [[obstacle]] beside tank.diameter_m: an "
         "obstacle stands between the walls of a rectangle",
@@ -208,16 +169,15 @@ TEST(Outline, ExcludesWhatStandsAtTheWallsOfARectangle) {
 }
 
 TEST(Outline, IsTakenBySphAndInterFoamWithNaturalModesAndFrictionBetweenWalls) {
-  expect_refusals(trial, R"(
+  expect_refusals(cylinder, R"(
 comparison.natural_modes = 0: accepted
 comparison.natural_modes = 2: accepted
 tank.breadth_m = 0.1: accepted
 )");
-  std::string two = trial;
-  const std::string sine = "type = \"sine\"\namplitude_m = 0.02\nperiod_s = 1.1\n";
-  two.replace(two.find(sine), sine.size(),
-              "type = \"sines\"\nsines = [{ amplitude_m = 0.02, period_s = 1.3 }, { amplitude_m = "
-              "0.005, period_s = 0.7 }]\n");
+  std::string two = cylinder;
+  two.replace(two.find(sine_surge), sine_surge.size(),
+              "[motion.surge]\ntype = \"sines\"\nsines = [{ amplitude_m = 0.02, period_s = 1.3 }, "
+              "{ amplitude_m = 0.005, period_s = 0.7 }]\n");
   expect_refusals(two, R"(
 tank.breadth_m = 0.1: expected no breadth_m beside tank.diameter_m unless the motion has a single
   frequency
@@ -225,7 +185,7 @@ tank.breadth_m = 0.1: expected no breadth_m beside tank.diameter_m unless the mo
 }
 
 TEST(Outline, HasALinearTheoryOfUpTo150ModesWithoutGas) {
-  expect_refusals(trial +
+  expect_refusals(cylinder +
                       "[[run]]\nname = \"theory\"\nsolver = \"linear\"\n"
                       "valid_elevation_over_depth = 0.1\n",
                   R"(
@@ -236,7 +196,7 @@ run.modes = 40 & run.two_layer = true: expected ... its theory has no gas
 }
 
 TEST(Outline, ExcludesSolversThatKnowRectanglesAlone) {
-  expect_refusals(trial + "[[run]]\nname = \"a\"\n", R"(
+  expect_refusals(cylinder + "[[run]]\nname = \"a\"\n", R"(
 run.solver = "potential": expected one of sph, interfoam, interisofoam, compressible_interfoam,
   linear, record, external, stored, which know more than rectangles, beside tank.diameter_m
 run.solver = "viscous_wave": expected one of sph, interfoam, interisofoam, compressible_interfoam,

@@ -135,9 +135,7 @@ std::string with_comparison(const std::string& keys) {
 }
 
 CaseDefinition read_with(const std::string& csv, const std::string& keys) {
-  const Workspace workspace;
-  workspace.write("surge.csv", csv);
-  return read_case(workspace.write("trial.toml", with_comparison(keys)));
+  return read_trial({with_comparison(keys), {{"surge.csv", csv}}});
 }
 
 std::string complaint_with(const std::string& csv, const std::string& keys) {

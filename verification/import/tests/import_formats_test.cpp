@@ -244,18 +244,23 @@ TEST(ImportFormats, ReadTheGaugesOfProteusAndKratosAsTables) {
               1, 0, 1e-6);
 }
 
+// A file of HDF5 that holds what `fill` writes.
+template <class Fill>
+fs::path made(const TemporaryDirectory& directory, const Fill& fill) {
+  const fs::path file = directory.path() / "probes.h5";
+  std::ofstream(file, std::ios::binary) << hdf5::image_of(fill);
+  return file;
+}
+
 TEST(ImportFormats, ReadDataSetsOfHdf5ByTheirPathsAndOwnResultsByTheirGroup) {
   const TemporaryDirectory directory;
-  const fs::path file = directory.path() / "probes.h5";
   const std::vector<double> time{0, 1, 2, 3}, eta{4, 5, 6, 7};
-  {
-    const hdf5::Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
-                            H5Fclose, "make a file");
+  const fs::path file = made(directory, [&](hid_t root) {
     const hdf5::Handle group = hdf5::create_group(root, "elevation@right");
     hdf5::write_attribute(hdf5::write_numbers(group, "time", time), "unit", "s");
     hdf5::write_attribute(hdf5::write_numbers(group, "value", eta), "unit", "mm");
     hdf5::write_numbers(group, "bare", eta);
-  }
+  });
   SeriesSource of{
       .quantity = "elevation@right", .file = file, .format = "hdf5", .column = "/elevation@right"};
   EXPECT_EQ(import_series(of).value, (std::vector<double>{0.004, 0.005, 0.006, 0.007}));
@@ -271,13 +276,10 @@ TEST(ImportFormats, ReadDataSetsOfHdf5ByTheirPathsAndOwnResultsByTheirGroup) {
 // no series.
 TEST(ImportFormats, ReadCompressedValuesAndNoneThatAreNotStored) {
   const TemporaryDirectory directory;
-  const fs::path file = directory.path() / "dry.h5";
   const hsize_t count = 200'000;
   std::vector<double> time(count), still(count, 0.25);
   for (hsize_t i = 0; i < count; ++i) time[i] = 0.001 * static_cast<double>(i);
-  {
-    const hdf5::Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
-                            H5Fclose, "make a file");
+  const fs::path file = made(directory, [&](hid_t root) {
     hdf5::write_attribute(hdf5::write_numbers(root, "t", time), "unit", "s");
     const hdf5::Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, "a space");
     const hdf5::Handle packed(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "properties");
@@ -291,7 +293,7 @@ TEST(ImportFormats, ReadCompressedValuesAndNoneThatAreNotStored) {
       if (name == std::string("stored"))
         H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, still.data());
     }
-  }
+  });
   const SeriesSource source{.quantity = "elevation@right",
                             .file = file,
                             .format = "hdf5",
@@ -304,10 +306,7 @@ TEST(ImportFormats, ReadCompressedValuesAndNoneThatAreNotStored) {
 // As C programs and netCDF write them.
 TEST(ImportFormats, ReadUnitsOfAnyLengthInAscii) {
   const TemporaryDirectory directory;
-  const fs::path file = directory.path() / "probes.h5";
-  {
-    const hdf5::Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
-                            H5Fclose, "make a file");
+  const fs::path file = made(directory, [&](hid_t root) {
     const hdf5::Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "a type");
     H5Tset_size(type, H5T_VARIABLE);
     const hdf5::Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "a space");
@@ -317,7 +316,7 @@ TEST(ImportFormats, ReadUnitsOfAnyLengthInAscii) {
                                    H5Aclose, "an attribute");
       H5Awrite(attribute, type, &unit);
     }
-  }
+  });
   const TimeSeries series = import_series({.quantity = "wall_pressure@p",
                                            .file = file,
                                            .format = "hdf5",
@@ -351,14 +350,11 @@ void write_in_shape(hid_t file, const char* name, std::vector<hsize_t> shape,
 
 TEST(ImportFormats, ReadRowsAndColumnsOfHdf5WithTheirUnitsOfFixedLength) {
   const TemporaryDirectory directory;
-  const fs::path file = directory.path() / "probes.h5";
-  {
-    const hdf5::Handle root(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
-                            H5Fclose, "make a file");
+  const fs::path file = made(directory, [&](hid_t root) {
     write_in_shape(root, "t", {1, 4}, "ms");
     write_in_shape(root, "p", {4, 1, 1}, "kPa  ");
     write_in_shape(root, "field", {2, 2}, "Pa");
-  }
+  });
   SeriesSource of{.quantity = "wall_pressure@p",
                   .file = file,
                   .format = "hdf5",

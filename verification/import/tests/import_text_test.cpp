@@ -13,6 +13,7 @@
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/tables/time_table.hpp"
 #include "verification/results/result_file.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/temporary_directory.hpp"
 #include "verification/tests/trial_case.hpp"
 
@@ -73,7 +74,7 @@ std::string complaint_of(const std::string& text, const Change& change) {
 }
 
 void expect_start(const std::string& message, const std::string& wanted) {
-  EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
+  EXPECT_TRUE(begins(message, wanted));
 }
 
 constexpr const char* table = "t [s];eta [mm]\n0;1\n0.5;2\n1;3\n1.5;4\n";
@@ -226,9 +227,8 @@ TEST(ImportText, OfAMotionOrARecordIsRefusedAlike) {
   for (const auto& [text, message] : motions) {
     const Workspace workspace;
     const auto file = workspace.write("m.csv", text);
-    const std::string got =
-        complaint_of(workspace, [&] { read_time_table(file, {"displacement_m"}); });
-    EXPECT_TRUE(got.starts_with(message)) << "got:    " << got << "\nwanted: " << message;
+    expect_start(complaint_of(workspace, [&] { read_time_table(file, {"displacement_m"}); }),
+                 message);
   }
   const Workspace workspace;
   const auto file = workspace.write("r.csv", "t_s,p_kPa\n0,1\n1,2\n2,3\n3,4\n");

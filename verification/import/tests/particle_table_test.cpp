@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "verification/tests/messages.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::particle_table_test {
@@ -13,13 +14,8 @@ std::vector<ParticlesAt> read(const std::string& text, const ParticleColumns& co
 }
 
 std::string complaint_of(const std::string& text, const ParticleColumns& columns = {}) {
-  try {
-    read(text, columns);
-    return "";
-  } catch (const CaseFileError& error) {
-    const std::string message = error.what();
-    return message.substr(message.find("p.csv"));
-  }
+  const std::string message = message_of<CaseFileError>([&] { read(text, columns); });
+  return message.empty() ? "" : message.substr(message.find("p.csv"));
 }
 
 TEST(ParticleTable, GroupsTheRowsOfEachTime) {

@@ -8,6 +8,7 @@
 
 #include "verification/input/tables/time_table.hpp"
 #include "verification/series/distribution.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/published_records.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
@@ -25,13 +26,8 @@ PeakTable table_of(const std::string& text) {
 
 // Returns the message without the table's directory.
 std::string complaint_about(const std::string& text) {
-  try {
-    table_of(text);
-  } catch (const CaseFileError& error) {
-    const std::string message = error.what();
-    return message.substr(message.find("peaks.txt"));
-  }
-  return "";
+  const std::string message = message_of<CaseFileError>([&] { table_of(text); });
+  return message.empty() ? "" : message.substr(message.find("peaks.txt"));
 }
 
 TEST(PeakTable, IsReadInPascalByImpact) {
@@ -65,19 +61,13 @@ TEST(PeakTable, IsRefusedByItsLine) {
       {head + row + "30\t40\t1e999\t60\n", "peaks.txt:4: row = "},
       {head + row, "peaks.txt:3: rows = 1: expected at least 2"}};
   for (const auto& [text, wanted] : tables) {
-    const std::string message = complaint_about(text);
-    EXPECT_TRUE(message.starts_with(wanted)) << "got:    " << message << "\nwanted: " << wanted;
+    EXPECT_TRUE(begins(complaint_about(text), wanted));
   }
 }
 
 TEST(PeakTable, ThatCannotBeReadIsNamed) {
-  try {
-    read_peak_table("/nowhere/peaks.txt");
-    FAIL();
-  } catch (const CaseFileError& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("/nowhere/peaks.txt:1: title = : expected a file", 0),
-              0U);
-  }
+  EXPECT_TRUE(begins(message_of<CaseFileError>([] { read_peak_table("/nowhere/peaks.txt"); }),
+                     "/nowhere/peaks.txt:1: title = : expected a file"));
 }
 
 TEST(PeakTableOfSpheric10, HasThePublishedMeansAndDeviations) {
@@ -103,17 +93,10 @@ TEST(Tables, ThatCannotBeReadToTheirEndAreNoShorterOnes) {
            [&] { read_time_table(directory.path(), {"displacement_m"}); },
            [&] {
              read_time_columns(directory.path(), {"t_s", "p_Pa", {"unit", "Pa", "pressure", "Pa"}});
-           }}) {
-    try {
-      read();
-      FAIL() << "no error";
-    } catch (const CaseFileError& error) {
-      EXPECT_TRUE(std::string(error.what())
-                      .starts_with(directory.path().string() +
-                                   ":1: file = filesystem error: cannot read: Is a directory"))
-          << error.what();
-    }
-  }
+           }})
+    EXPECT_TRUE(begins(
+        message_of<CaseFileError>(read),
+        directory.path().string() + ":1: file = filesystem error: cannot read: Is a directory"));
 }
 
 }  // namespace

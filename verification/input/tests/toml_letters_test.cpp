@@ -4,6 +4,7 @@
 
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/toml_reader.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::toml_letters_test {
 namespace {
@@ -30,14 +31,11 @@ TEST(TomlLetters, BehindAClosedStringAreFound) {
 }
 
 TEST(TomlLetters, AreRefusedByTheReaderWithTheirPlace) {
-  try {
-    TomlTable("name = \xE2\x80\x9Ctank\xE2\x80\x9D\n", "trial.toml");
-    FAIL() << "typographic quotation marks were read";
-  } catch (const CaseFileError& error) {
-    EXPECT_STREQ(error.what(),
-                 "trial.toml:1:8: not TOML: a letter beyond ASCII; expected such letters only "
-                 "in strings and comments");
-  }
+  EXPECT_EQ(
+      message_of<CaseFileError>(
+          [] { TomlTable("name = \xE2\x80\x9Ctank\xE2\x80\x9D\n", "trial.toml"); }),
+      "trial.toml:1:8: not TOML: a letter beyond ASCII; expected such letters only in strings "
+      "and comments");
 }
 
 TEST(TomlLetters, AreTooManyDotsInAKeyAlone) {

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "sph/schemes.hpp"
 #include "sph/simulation.hpp"
@@ -89,13 +88,8 @@ PressedBox pressed_box(double ratio) {
 sph::History energy_of_box(const PressedBox& pressed, double level) {
   const sph::Scheme<Choice> scheme = scheme_of<Choice>(pressed.box);
   sph::Particles p = full_lattice(pressed.box);
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> speed(-1e-8, 1e-8);
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    set_pressure(scheme, p, i, pressed.pressure);
-    p.velocity_x[i] = speed(random);
-    p.velocity_z[i] = speed(random);
-  }
+  for (std::size_t i = 0; i < p.size(); ++i) set_pressure(scheme, p, i, pressed.pressure);
+  set_random_velocities(p, 1e-8);
   Flow<Choice> flow(pressed.box, std::move(p));
   sph::History energy;
   const double step = scheme.time_step.longest_step;

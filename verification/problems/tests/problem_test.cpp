@@ -1,6 +1,7 @@
 // The list of problems, and the shipped campaigns over them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -8,9 +9,11 @@
 #include <set>
 
 #include "verification/case_file/campaign_parser.hpp"
+#include "verification/problems/drop_motion.hpp"
 #include "verification/problems/problem_list.hpp"
 #include "verification/problems/problem_result.hpp"
 #include "verification/runs/tests/key_question.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::problem_test {
@@ -42,13 +45,8 @@ TEST(Problems, HaveNamesOfTheirOwnAndMeasuresOfTheirOwn) {
 }
 
 TEST(Problems, AreSuggestedWhereANameIsWrong) {
-  try {
-    find_problem("taylor_gren");
-    FAIL() << "found a problem that is not there";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("nearest: taylor_green"), std::string::npos)
-        << error.what();
-  }
+  EXPECT_TRUE(holds(message_of<std::invalid_argument>([] { find_problem("taylor_gren"); }),
+                    "nearest: taylor_green"));
 }
 
 TEST(ShippedCampaigns, GateEveryProblemOnceAndEveryGateRowHasASource) {
@@ -135,6 +133,35 @@ TEST_F(ProblemResultFile, IsKeyedByProblemFormAndBuild) {
   std::ofstream(builds / "problems") << "two";
   EXPECT_NE(key, problem_key(rotation, true, builds));
   EXPECT_TRUE(asks_the_same(key, problem_key(rotation, true, builds)));
+}
+
+// The exact motion of the drop: invariants, and the periods and the span of its axis that an
+// integration by other means gives.
+
+TEST(DropMotion, HasTheKnownPeriods) {
+  const double known[][2] = {{0.1, 4.4484}, {0.5, 4.5674}, {1, 4.8273}, {1.5, 5.0799}};
+  for (const auto& [amplitude, period] : known)
+    EXPECT_NEAR(drop_period(amplitude), period, 1e-4) << amplitude;
+}
+
+TEST(DropMotion, SpansTheKnownSemiAxis) {
+  SemiAxes axes{1, 1, 1};
+  double least = 1, most = 1;
+  for (int i = 0; i < 1000; ++i) {
+    axes = advanced(axes, 0.005);
+    least = std::min(least, axes.a);
+    most = std::max(most, axes.a);
+  }
+  EXPECT_NEAR(least, 0.5176, 1e-4);
+  EXPECT_NEAR(most, 1.9319, 1e-4);
+}
+
+// Energy: kinetic sigma^2 (a^2 + b^2) / 8 and that of the force (a^2 + b^2) / 8.
+TEST(DropMotion, KeepsTheAreaAndTheEnergy) {
+  const SemiAxes end = advanced({1, 1, 1.5}, 7.3);
+  EXPECT_NEAR(end.a * end.b, 1, 1e-10);
+  EXPECT_NEAR((end.sigma * end.sigma + 1) * (end.a * end.a + end.b * end.b), 2 * (1.5 * 1.5 + 1),
+              1e-9);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Stability maps of a free wave with `recommended`.
+// Stability maps of `recommended`. Three are of a free wave.
 //   courant_map    The Courant number dt c0 / h over the speed of sound. The limit of a linear wave
 //                  on the initial lattice is that of the sound at the bottom, which is the faster
 //                  than c0 the softer the liquid is.
@@ -8,10 +8,18 @@
 //                  bottom is at most 0.8 % faster than c0.
 //   diffusion_map  The density diffusion delta over the Courant number. The diffusion is explicit,
 //                  and on the lattice it shares the limit of the step with the sound.
+//   viscosity_map  The liquid's viscosity over the particle spacing, with the step that the Courant
+//                  number alone would give, for the explicit viscous limit. The particles of a full
+//                  box without gravity start with random velocities; with a stable step they come
+//                  to rest. The scheme's own step (sph/terms/time_step.hpp) has a viscous
+//                  criterion, which `shipped` compares with the limit.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 
 #include "sph/schemes.hpp"
+#include "verification/problems/flow.hpp"
 #include "verification/problems/problem_list.hpp"
 #include "verification/problems/stability/stability_map.hpp"
 
@@ -106,6 +114,62 @@ ProblemOutcome run_diffusion_map(bool quick) {
                     [](double) { return sph::Recommended::numbers.density_diffusion.value(); });
 }
 
+using LaminarChoice = sph::WithLaminarViscosity;
+constexpr double courant_number_in_box = 0.4, sound_in_box = 10;  // [m/s]
+
+double smoothing_length(double spacing) {
+  return LaminarChoice::numbers.smoothing_length_ratio.value() * spacing;
+}
+
+Probe probe_of_box(double viscosity, double spacing) try {
+  const Box box{.length = 16 * spacing,
+                .height = 16 * spacing,
+                .spacing = spacing,
+                .speed_of_sound = sound_in_box,
+                .viscosity = viscosity};
+  sph::Particles particles = full_lattice(box);
+  set_random_velocities(particles, 1e-3 * sound_in_box);
+  Flow<LaminarChoice> flow(box, std::move(particles));
+  const double start = kinetic_energy(flow.liquid.particles),
+               step = courant_number_in_box * smoothing_length(spacing) / sound_in_box;
+  for (int i = 0; i < 1000; ++i) {
+    flow.step(step);
+    sph::check_state(flow.liquid.particles, box.rest_density, flow.liquid.time);
+  }
+  const double grown = kinetic_energy(flow.liquid.particles) / start;
+  if (grown <= 1) return {Stability::stable, ""};
+  return {Stability::unstable, fmt::format("kinetic energy {:.3g} times that of the start", grown)};
+} catch (const sph::SimulationError& error) {
+  return {Stability::unstable, error.what()};
+}
+
+ProblemOutcome run_viscosity_map(bool) {
+  std::vector<double> viscosities;
+  for (int i = 0; i <= 16; ++i) viscosities.push_back(0.003 * std::pow(2, 0.5 * i));
+  const LatticeScheme lattice{&gradient_shape_of<LaminarChoice::Kernel>,
+                              LaminarChoice::numbers.smoothing_length_ratio.value(), 0,
+                              LaminarChoice::numbers.density_diffusion.value()};
+  const double limit = stable_viscosity(lattice, courant_number_in_box);  // nu / (h c0)
+  const StabilityMap map{
+      .id = "viscosity_map",
+      .title = "Stable viscosities over the particle spacing",
+      .caption = "Laminar viscosity, dt c0 / h = 0.4, c0 = 10 m/s, 1000 steps each.",
+      .across = {"nu (m2/s)", viscosities},
+      .up = {"dp (m)", {0.01, 0.02, 0.04, 0.08}},
+      .probe = &probe_of_box,
+      .theory =
+          [limit](double spacing) { return limit * smoothing_length(spacing) * sound_in_box; },
+      .log_across = true,
+      .log_up = true};
+  return outcome_of(
+      map,
+      [](double spacing) {
+        return sph::AdaptiveStep::viscous_number * smoothing_length(spacing) * sound_in_box /
+               courant_number_in_box;
+      },
+      Guarded::no);
+}
+
 }  // namespace
 
 Problem courant_map_problem() {
@@ -142,6 +206,21 @@ Problem diffusion_map_problem() {
           map_measures("dt c0 / h"),
           &run_diffusion_map,
           15};
+}
+
+Problem viscosity_map_problem() {
+  return {
+      "viscosity_map",
+      "Stability: viscosity and particle spacing",
+      "A full box of 16 x 16 particles with random velocities of c0 / 1000, 1000 steps of dt c0 / "
+      "h = 0.4, without the scheme's own viscous criterion.",
+      "Morris, Fox & Zhu 1997, J. Comput. Phys. 136:214, eq. 21, for the criterion; the "
+      "staggered leapfrog's amplification factor on the lattice for the limit",
+      "The largest nu dt / h^2 at which no wave of the square lattice grows; the literature's "
+      "criterion is 0.125, this solver's 0.0625.",
+      map_measures("dp (m)", Guarded::no),
+      &run_viscosity_map,
+      5};
 }
 
 }  // namespace slosh
