@@ -31,29 +31,6 @@ namespace {
 
 using reports::Section;
 
-template <class Assessment>
-int count(const std::vector<Assessment>& assessed, Verdict verdict) {
-  int n = 0;
-  for (const Assessment& one : assessed)
-    for (const auto& outcome : one.gate) n += outcome.verdict == verdict;
-  return n;
-}
-
-int count(const std::vector<CaseAssessment>& cases, const std::vector<ProblemAssessment>& problems,
-          RunState state) {
-  int n = 0;
-  for (const ProblemAssessment& one : problems) n += one.run.status.state == state;
-  for (const CaseAssessment& one : cases)
-    for (const auto& [run, status] : one.runs.status) n += status.state == state;
-  return n;
-}
-
-int pairs_not_comparable(const std::vector<CaseAssessment>& cases) {
-  int n = 0;
-  for (const CaseAssessment& one : cases) n += static_cast<int>(one.not_comparable.size());
-  return n;
-}
-
 // The first page: the departures case by case, error against run time, the gate rows worst first,
 // bias and scatter of the models. `sentences` are shown unchanged.
 std::vector<reports::Section> summary_sections(const std::vector<CaseAssessment>& cases,
@@ -184,31 +161,6 @@ reports::Outcome outcome_of(int status) {
     default:
       return reports::Outcome::fail;
   }
-}
-
-std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
-                             const std::vector<ProblemAssessment>& problems) {
-  const auto rows = [&](Verdict verdict) {
-    return count(cases, verdict) + count(problems, verdict);
-  };
-  const auto runs = [&](RunState state) { return count(cases, problems, state); };
-  const int passed = rows(Verdict::pass);
-  const int judged = passed + rows(Verdict::violated) + rows(Verdict::inconclusive) +
-                     rows(Verdict::solver_failed) + rows(Verdict::not_compared);
-  std::string text = fmt::format("{} of {} gate rows hold", passed, judged);
-  const auto add = [&](int n, const char* one, const char* several = nullptr) {
-    if (n > 0) text += fmt::format(", {} {}", n, n == 1 || !several ? one : several);
-  };
-  add(rows(Verdict::violated), "violated");
-  add(rows(Verdict::inconclusive), "inconclusive");
-  add(rows(Verdict::not_compared), "not compared");
-  add(pairs_not_comparable(cases), "pair not comparable", "pairs not comparable");
-  add(runs(RunState::failed), "run failed", "runs failed");
-  add(runs(RunState::missing), "run without a result", "runs without a result");
-  add(runs(RunState::not_supplied), "record not supplied", "records not supplied");
-  add(rows(Verdict::not_supplied), "gate row without its record", "gate rows without their record");
-  add(rows(Verdict::not_selected), "not selected");
-  return text + ".";
 }
 
 reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,

@@ -17,10 +17,6 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
                                 const std::vector<CaseAssessment>& cases,
                                 const std::vector<ProblemAssessment>& problems = {});
 
-// Returns "19 of 19 gate rows hold, 12 not selected."
-std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
-                             const std::vector<ProblemAssessment>& problems = {});
-
 // Of an exit status.
 reports::Outcome outcome_of(int status);
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 
-#include "reports/summary/campaign_report.hpp"
 #include "reports/summary/verdict_matrix.hpp"
 #include "reports/wording/case_text.hpp"
 #include "reports/wording/report_places.hpp"
@@ -36,7 +35,7 @@ bool compares(const GateRow& row) { return !row.reference.empty(); }
 // code the worst row first.
 RowsOfCodes rows_of_codes(const CaseAssessment& assessment) {
   RowsOfCodes codes;
-  const std::vector<ShownRow> shown = shown_rows({assessment});
+  const std::vector<ShownRow> shown = shown_rows(assessment);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const GateRow& row = assessment.gate[i].row;
     if (!shown[i].counts()) continue;
@@ -171,6 +170,29 @@ void add_problem(const ProblemAssessment& assessment, std::vector<HeadlineLine>&
        .section = "problem-" + worst.name});
 }
 
+template <class Assessment>
+int count(const std::vector<Assessment>& assessed, Verdict verdict) {
+  int n = 0;
+  for (const Assessment& one : assessed)
+    for (const auto& outcome : one.gate) n += outcome.verdict == verdict;
+  return n;
+}
+
+int count(const std::vector<CaseAssessment>& cases, const std::vector<ProblemAssessment>& problems,
+          RunState state) {
+  int n = 0;
+  for (const ProblemAssessment& one : problems) n += one.run.status.state == state;
+  for (const CaseAssessment& one : cases)
+    for (const auto& [run, status] : one.runs.status) n += status.state == state;
+  return n;
+}
+
+int pairs_not_comparable(const std::vector<CaseAssessment>& cases) {
+  int n = 0;
+  for (const CaseAssessment& one : cases) n += static_cast<int>(one.not_comparable.size());
+  return n;
+}
+
 }  // namespace
 
 std::vector<HeadlineLine> headline_lines(const std::vector<CaseAssessment>& cases,
@@ -206,6 +228,31 @@ std::string line_text(const HeadlineLine& line) {
   return fmt::format("{}{}: {}", line.candidate,
                      line.reference.empty() ? "" : " against " + line.reference,
                      fmt::join(numbers, ", "));
+}
+
+std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
+                             const std::vector<ProblemAssessment>& problems) {
+  const auto rows = [&](Verdict verdict) {
+    return count(cases, verdict) + count(problems, verdict);
+  };
+  const auto runs = [&](RunState state) { return count(cases, problems, state); };
+  const int passed = rows(Verdict::pass);
+  const int judged = passed + rows(Verdict::violated) + rows(Verdict::inconclusive) +
+                     rows(Verdict::solver_failed) + rows(Verdict::not_compared);
+  std::string text = fmt::format("{} of {} gate rows hold", passed, judged);
+  const auto add = [&](int n, const char* one, const char* several = nullptr) {
+    if (n > 0) text += fmt::format(", {} {}", n, n == 1 || !several ? one : several);
+  };
+  add(rows(Verdict::violated), "violated");
+  add(rows(Verdict::inconclusive), "inconclusive");
+  add(rows(Verdict::not_compared), "not compared");
+  add(pairs_not_comparable(cases), "pair not comparable", "pairs not comparable");
+  add(runs(RunState::failed), "run failed", "runs failed");
+  add(runs(RunState::missing), "run without a result", "runs without a result");
+  add(runs(RunState::not_supplied), "record not supplied", "records not supplied");
+  add(rows(Verdict::not_supplied), "gate row without its record", "gate rows without their record");
+  add(rows(Verdict::not_selected), "not selected");
+  return text + ".";
 }
 
 std::string headline_sentence(const std::vector<CaseAssessment>& cases,

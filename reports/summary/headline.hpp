@@ -39,6 +39,10 @@ bool is_only_watched(const std::vector<CaseAssessment>& cases,
 // %"
 std::string line_text(const HeadlineLine& line);
 
+// Returns "19 of 19 gate rows hold, 12 not selected."
+std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
+                             const std::vector<ProblemAssessment>& problems = {});
+
 // The lines of the case that decides: the one with the worst verdict, or else the first that is
 // validated. Where no row was judged it is verdict_sentence().
 std::string headline_sentence(const std::vector<CaseAssessment>& cases,

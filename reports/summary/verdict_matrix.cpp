@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <tuple>
 #include <variant>
@@ -40,33 +41,39 @@ bool is_worse(const ShownRow& one, const ShownRow& other) {
   return one.reach() > other.reach();
 }
 
+std::vector<ShownRow> shown_rows(const CaseAssessment& one) {
+  std::vector<ShownRow> rows;
+  for (std::size_t i = 0; i < one.gate.size(); ++i) {
+    const GateOutcome& outcome = one.gate[i];
+    const GateRow& row = outcome.row;
+    const double half_width = half_width_of(outcome);
+    rows.push_back({.name = one.definition.name,
+                    .candidate = row.candidate,
+                    .reference = row.reference,
+                    .shown_reference = reference_text(row),
+                    .of_mesh = is_of_mesh(one.definition, row.candidate),
+                    .regression = row.kind == RowKind::regression,
+                    .metric = metric_name(row.metric),
+                    .metric_text = metric_text(row),
+                    .verdict = outcome.verdict,
+                    .value = outcome.value.value,
+                    .half_width = half_width,
+                    .unit = row.unit,
+                    .found = std::isfinite(outcome.value.value)
+                                 ? value_text(row, {outcome.value.value, half_width})
+                                 : "",
+                    .message = outcome.message,
+                    .remedy = remedy_text(outcome),
+                    .row_id = case_row_id(one.definition.name, i),
+                    .share = error_over_tolerance(outcome)});
+  }
+  return rows;
+}
+
 std::vector<ShownRow> shown_rows(const std::vector<CaseAssessment>& cases) {
   std::vector<ShownRow> rows;
   for (const CaseAssessment& one : cases)
-    for (std::size_t i = 0; i < one.gate.size(); ++i) {
-      const GateOutcome& outcome = one.gate[i];
-      const GateRow& row = outcome.row;
-      const double half_width = half_width_of(outcome);
-      rows.push_back({.name = one.definition.name,
-                      .candidate = row.candidate,
-                      .reference = row.reference,
-                      .shown_reference = reference_text(row),
-                      .of_mesh = is_of_mesh(one.definition, row.candidate),
-                      .regression = row.kind == RowKind::regression,
-                      .metric = metric_name(row.metric),
-                      .metric_text = metric_text(row),
-                      .verdict = outcome.verdict,
-                      .value = outcome.value.value,
-                      .half_width = half_width,
-                      .unit = row.unit,
-                      .found = std::isfinite(outcome.value.value)
-                                   ? value_text(row, {outcome.value.value, half_width})
-                                   : "",
-                      .message = outcome.message,
-                      .remedy = remedy_text(outcome),
-                      .row_id = case_row_id(one.definition.name, i),
-                      .share = error_over_tolerance(outcome)});
-    }
+    std::ranges::move(shown_rows(one), std::back_inserter(rows));
   return rows;
 }
 

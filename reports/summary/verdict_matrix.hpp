@@ -45,7 +45,8 @@ struct ShownRow {
 // Whether the first row is worse: by verdict (severity()), then by reach().
 bool is_worse(const ShownRow& one, const ShownRow& other);
 
-// All rows, in the order of the cases or problems.
+// All rows, in the order of the case, of the cases or of the problems.
+std::vector<ShownRow> shown_rows(const CaseAssessment& assessment);
 std::vector<ShownRow> shown_rows(const std::vector<CaseAssessment>& cases);
 std::vector<ShownRow> shown_rows(const std::vector<ProblemAssessment>& problems);
 

@@ -11,7 +11,7 @@
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/plain_table.hpp"
+#include "verification/case_file/tables/plain_table.hpp"
 #include "verification/input/input_files.hpp"
 #include "verification/input/units.hpp"
 

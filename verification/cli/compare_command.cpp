@@ -20,7 +20,7 @@
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
-#include "verification/case_file/plain_table.hpp"
+#include "verification/case_file/tables/plain_table.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/limit_option.hpp"
 #include "verification/cli/stored_run.hpp"

@@ -58,7 +58,7 @@ class YourCode : public PageCommands {
 std::vector<std::string> rows_of(const std::string& text) {
   std::vector<std::string> rows;
   for (const char* pattern :
-       {R"(\n    ((?:pass|violated) [^:\n]*@right:))", R"(\n    (PASS: [^\n]*))",
+       {R"(\n    ((?:pass|violated) [^:\n]*@right:))", R"(\n    (PASS: [^:\n]*:))",
         R"(\n    (wave: [^:\n]* decay_rate of elevation@right:))"})
     for (const std::string& row : documents::all_matches(text, pattern)) rows.push_back(row);
   return rows;

@@ -11,6 +11,7 @@
 
 #include "reports/figures/run_looks.hpp"
 #include "reports/pages/check_report.hpp"
+#include "reports/summary/headline.hpp"
 #include "reports/summary/results_json.hpp"
 #include "verification/assessment/campaign_cost.hpp"
 #include "verification/tests/figure_results.hpp"

@@ -2,6 +2,7 @@
 // refused.
 #include <gtest/gtest.h>
 
+#include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/trial_case.hpp"
 
@@ -297,6 +298,35 @@ run.command = ["a"] -> run.command = (an array): expected only
   expect_refusals({stored + again.replace(again.find("theirs"), 6, "again"), stored_files}, R"(
 -> run.particle_spacing_m = 0.02: expected a spacing that no other run of the method has; theirs has
   this one
+)");
+}
+
+const std::string mine = valid_text.substr(0, valid_text.find("[[gate]]")) + R"([[run]]
+name = "mine"
+solver = "stored"
+file = "mine.csv"
+)";
+
+TEST(StoredRunSection, NeedsAPlainTableAndNothingElse) {
+  const CaseDefinition definition = read_trial(
+      {mine, {{"mine.csv", "t,elevation@left [mm],depth,elevation@right\n0,1,2,3\n1,1,2,3\n"}}});
+  const StoredRun run = std::get<StoredRun>(definition.runs.back().solver);
+  ASSERT_EQ(run.series.size(), 2u);
+  EXPECT_EQ(run.series[0].quantity, "elevation@left");
+  EXPECT_EQ(run.series[0].unit, "") << "as the file says";
+  EXPECT_EQ(run.series[1].quantity, "elevation@right");
+  EXPECT_EQ(run.series[1].unit, "m");
+  EXPECT_EQ(run.series[1].time_column, "t");
+  EXPECT_EQ(run.series[1].time_unit, "s");
+  EXPECT_TRUE(run.facts.empty());
+  EXPECT_EQ(family(definition.runs.back()), "mine");
+  EXPECT_FALSE(particle_spacing(definition.runs.back()));
+}
+
+TEST(StoredRunSection, OfAPlainTableIsRefusedWithoutItsFileAndWithHalfAMethod) {
+  expect_refusals({mine, {{"mine.csv", "t,eta\n0,1\n1,1\n"}}}, R"(
+run.file = "none.csv": expected a file relative to the case file; there is no
+run.method = "m" -> run.particle_spacing_m is missing: expected the method's spacing
 )");
 }
 

@@ -169,8 +169,7 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed, const Gate
                             : "There is no baseline: nothing is compared with earlier figures.";
   reports::GateDocument document{
       .title = assessed.definition.title,
-      .verdict = headline_word(findings.status, assessed.cases, assessed.problems) + ": " +
-                 headline_sentence(assessed.cases, assessed.problems),
+      .verdict = verdict_text(assessed, findings.status),
       .entries = {},
       .standings = headline_table(headline_lines(assessed.cases, assessed.problems)),
       .basis = rows_text(assessed) + (changes.empty() ? "" : " " + changes),

@@ -2,18 +2,27 @@
 
 #include <fmt/format.h>
 
-#include "reports/summary/campaign_report.hpp"
 #include "reports/summary/headline.hpp"
+#include "reports/summary/worst_first.hpp"
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/evidence/soundness.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 
 namespace slosh {
 
+std::string verdict_text(const AssessedCampaign& assessed, int status) {
+  const auto& [definition, output, cases, problems] = assessed;
+  const auto [lead, row, finding] = decision_of(cases, problems);
+  return fmt::format(
+      "{}: {}{}", headline_word(status, cases, problems), headline_sentence(cases, problems),
+      row.text.empty()
+          ? ""
+          : fmt::format(" {} {}{}", lead, row.text, finding.empty() ? "." : ": " + finding));
+}
+
 std::string headline_text(const AssessedCampaign& assessed, int status) {
   const auto& [definition, output, cases, problems] = assessed;
-  std::string text = fmt::format("{}: {}", headline_word(status, cases, problems),
-                                 headline_sentence(cases, problems));
+  std::string text = verdict_text(assessed, status);
   for (const CaseAssessment& one : cases)
     if (const std::string doubt = doubtful_runs(one.definition, one.runs); !doubt.empty())
       text += "\n" + doubt;

@@ -7,7 +7,10 @@
 
 namespace slosh {
 
-// The headline with its verdict, the doubts about runs, and a line for each case and code, which
+// The headline with its verdict, and the row that decides it or is nearest to its limit.
+std::string verdict_text(const AssessedCampaign& assessed, int status);
+
+// The same, the doubts about runs, and a line for each case and code, which
 // begins with how it stands. `status` is that of the verdict.
 std::string headline_text(const AssessedCampaign& assessed, int status);
 

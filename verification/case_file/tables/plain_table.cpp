@@ -1,4 +1,4 @@
-#include "verification/case_file/plain_table.hpp"
+#include "verification/case_file/tables/plain_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
