@@ -140,9 +140,9 @@ TEST_P(SealedFile, IsRefusedWhereItLeadsIntoAnotherFileThoughItsChecksumFits) {
 
 TEST_P(SealedFile, CrashesNoReaderWhereAByteIsChangedThoughItsChecksumFits) {
   int refused = 0;
-  for (std::size_t i = 0; i < 150; ++i) {
+  for (std::size_t i = 0; i < 50; ++i) {
     std::string altered = image();
-    const std::size_t at = 97 * i % std::min<std::size_t>(altered.size(), 8192);
+    const std::size_t at = 293 * i % std::min<std::size_t>(altered.size(), 8192);
     altered[at] = static_cast<char>(altered[at] ^ (i % 3 == 0 ? 0xff : 1 << (i % 8)));
     const std::string words = refusal(resealed(altered));
     refused += !words.empty();
