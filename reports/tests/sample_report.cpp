@@ -237,7 +237,7 @@ Report sample_report() {
         "Text is shown as it is: <script>document.title = 'broken'</script> & \"quotes\"."},
        {},
        {time_history(), residuals(), spectrum()},
-       {sloshing_field("pressure-field", 2, 0.01)}},
+       {sloshing_field("pressure-field", 1, 0.02)}},
       {"cost", "Cost", {}, {run_table()}, {cost()}, {}}};
   report.results_json = "{\"schema\": 1, \"passed\": false}\n";
   return report;

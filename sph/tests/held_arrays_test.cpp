@@ -17,7 +17,7 @@ using Names = std::set<std::string>;
 const Names state{"x", "z", "velocity_x", "velocity_z", "density", "mass"};
 
 Scene scene_of(const std::string& variant) {
-  Scene scene = surging_scene(0.025, 0.02);
+  Scene scene = surging_scene(0.05, 0.02);
   scene.initial_state = InitialState::lattice;
   scene.variant = variant;
   return scene;
@@ -68,7 +68,7 @@ TEST(HeldArrays, GrowByThoseOfATermThatIsAdded) {
 TEST(HeldArrays, HaveASpacingOfEachParticleWhereThereAreTwo) {
   Scene scene = scene_of("");
   EXPECT_EQ(held_for("state", run("li2010", scene, {})), state);
-  scene.surface_particle_spacing = 0.0125;
+  scene.surface_particle_spacing = 0.025;
   const RunOutput output = run("li2010", scene, {});
   EXPECT_EQ(held_for("state", output), with(state, {"spacing"}));
   EXPECT_EQ(held_for("solids", output), Names{});

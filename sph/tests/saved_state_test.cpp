@@ -125,7 +125,7 @@ TEST_P(Resume, GoesOnBitForBitWithOneAndTwoThreads) {
 // Each particle then has a spacing of its own.
 TEST(Resume, GoesOnBitForBitWithTwoSpacings) {
   const Named named{"li2010", ""};
-  Scene scene = scene_of(named, false, 0.02);
+  Scene scene = scene_of(named, false, 0.04);
   scene.surface_particle_spacing = 0.5 * scene.particle_spacing;
   const WholeRun whole = run_whole(named, scene);
   ASSERT_TRUE(whole.states.front().fields.contains("spacing"));

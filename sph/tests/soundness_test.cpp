@@ -123,7 +123,7 @@ TYPED_TEST(SoundnessSeries, LeaveTheNextStepAsItIs) {
 }
 
 TEST(SoundnessOfARun, IsRecordedAtItsSamplesAndItsLargestValuesAreDiagnostics) {
-  const RunOutput output = run("recommended", surging_scene(0.025, 0.2), {});
+  const RunOutput output = run("recommended", surging_scene(0.05, 0.2), {});
   const auto largest = [&](const History& history) {
     double result = 0;
     for (const double value : history.value) result = std::max(result, std::abs(value));
@@ -144,7 +144,7 @@ TEST(SoundnessOfARun, IsRecordedAtItsSamplesAndItsLargestValuesAreDiagnostics) {
 }
 
 TEST(SoundnessOfARun, HasThePackingOfItsLastSample) {
-  const RunOutput output = run("recommended", surging_scene(0.025, 0.13), {});
+  const RunOutput output = run("recommended", surging_scene(0.05, 0.13), {});
   EXPECT_EQ(output.packing_drift.time, (std::vector<double>{0, 10 * 0.01, 13 * 0.01}));
 }
 

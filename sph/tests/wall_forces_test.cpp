@@ -39,7 +39,7 @@ void expect_sums(const RunOutput& output, const std::string& of) {
 
 TEST(WallForces, AddUpToThatOnASurgingTank) {
   for (const Walls& kind : kinds) {
-    Scene scene = surging_scene(0.035, 0.1);
+    Scene scene = surging_scene(0.05, 0.03);
     scene.variant = kind.variant;
     scene.loaded_walls = four_walls;
     expect_sums(run(kind.scheme, scene, {}), kind.scheme + " " + kind.variant);

@@ -76,7 +76,7 @@ TEST(CaseAssessment, RejectsMillimetresForMetres) {
 
 TEST(CaseAssessment, ComparesNoSeriesWithANumberThatIsNone) {
   TimeSeries broken = elevation_of({});
-  broken.value[500] = std::numeric_limits<double>::quiet_NaN();
+  broken.value[250] = std::numeric_limits<double>::quiet_NaN();
   const CaseAssessment assessment = assess_candidate(broken);
   EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_compared});
   EXPECT_EQ(exit_status({assessment}), exit_not_compared);
@@ -84,8 +84,8 @@ TEST(CaseAssessment, ComparesNoSeriesWithANumberThatIsNone) {
 
 TEST(CaseAssessment, ComparesNoSeriesThatEndsEarly) {
   TimeSeries short_one = elevation_of({});
-  short_one.time.resize(900);  // 18 of 20 s
-  short_one.value.resize(900);
+  short_one.time.resize(450);  // 18 of 20 s
+  short_one.value.resize(450);
   const CaseAssessment assessment = assess_candidate(short_one);
   EXPECT_EQ(verdicts(assessment), std::set{Verdict::not_compared});
   EXPECT_EQ(exit_status({assessment}), exit_not_compared);
@@ -199,7 +199,7 @@ TEST(CaseAssessment, PassesNoUngatedCaseOfWhichNoPairCanBeCompared) {
   const CaseAssessment good = assess(surge_case(), surge_runs());
   EXPECT_EQ(exit_status({good, assess(ungated, surge_runs())}), exit_pass);
   CaseRuns broken = surge_runs();
-  for (auto& [run, result] : broken.results) result.series[0].value[500] = std::nan("");
+  for (auto& [run, result] : broken.results) result.series[0].value[250] = std::nan("");
   const CaseAssessment nothing = assess(ungated, broken);
   ASSERT_FALSE(nothing.not_comparable.empty());
   EXPECT_NE(nothing.not_comparable[0].find("particles against theory: "), std::string::npos);
@@ -237,9 +237,9 @@ TEST_F(OwnSeriesAssessment, PassesWithinTheLimitAndFailsOnScaledData) {
 
 TEST_F(OwnSeriesAssessment, PassesNeitherATruncatedNorAPoisonedNorAMissingSeries) {
   TimeSeries truncated = drift(1), poisoned = drift(1), misnamed = drift(1);
-  truncated.time.resize(900);  // 18 of 20 s
-  truncated.value.resize(900);
-  poisoned.value[500] = std::nan("");
+  truncated.time.resize(450);  // 18 of 20 s
+  truncated.value.resize(450);
+  poisoned.value[250] = std::nan("");
   misnamed.name = "volume";
   for (const TimeSeries& series : {truncated, poisoned, misnamed}) {
     const CaseAssessment assessment = assess_drift(series);
@@ -298,7 +298,7 @@ TEST(Comparisons, SetMeshesAgainstOneLayerWhereNoOtherTheoryIsDeclared) {
 
 TEST(Comparisons, LeaveOutOnlyThePairThatCannotBeCompared) {
   TimeSeries broken = elevation_of({});
-  broken.value[500] = std::numeric_limits<double>::infinity();
+  broken.value[250] = std::numeric_limits<double>::infinity();
   EXPECT_EQ(compared(assess(surge_case(), surge_runs_with("coarse_mesh", broken))),
             (std::vector<std::string>{"particles against theory", "particles against fine_mesh",
                                       "fine_mesh against theory_with_gas"}));

@@ -265,7 +265,7 @@ TEST(CostRow, IsNotComparedWhereItsCandidateIsNoNumber) {
   definition.gate = {cost_row(0.0707, 30)};
   CaseRuns runs = one.runs;
   runs.timings = five_timings();
-  runs.results.at("medium").series.at(0).value.at(500) = nan;
+  runs.results.at("medium").series.at(0).value.at(250) = nan;
   EXPECT_EQ(assess(definition, runs).gate.at(0).verdict, Verdict::not_compared);
 }
 

@@ -54,13 +54,13 @@ TEST(HistoryUncertainty, OfAnOrderThatNothingExplainsHasTheCautiousFactor) {
   const std::vector<double> widths = Spacings({0.02, 0.04}, fourth_order).widths();
   const TimeSeries wave = elevation_of({});
   const double apart = fourth_order(0.02) - fourth_order(0.01);
-  EXPECT_NEAR(widths[500], 3 * apart / (2 * 2 - 1) * std::abs(wave.value[500]), 1e-9);
+  EXPECT_NEAR(widths[250], 3 * apart / (2 * 2 - 1) * std::abs(wave.value[250]), 1e-9);
 }
 
 TEST(HistoryUncertainty, OfTwoRunsIsThreeTimesTheirDifferenceOnAnErrorOfFirstOrder) {
   const std::vector<double> widths = Spacings({0.015}, second_order).widths();
   const double apart = second_order(0.015) - second_order(0.01);
-  EXPECT_NEAR(widths[500], 3 * apart / 0.5 * std::abs(elevation_of({}).value[500]), 1e-9);
+  EXPECT_NEAR(widths[250], 3 * apart / 0.5 * std::abs(elevation_of({}).value[250]), 1e-9);
 }
 
 TEST(HistoryUncertainty, IsNoneWithoutACoarserRunThatCanBeRead) {
@@ -81,7 +81,7 @@ TEST(HistoryUncertainty, OfPotentialFlowIsWhatItsCoarserRunDiffersBy) {
   TimeSeries coarse = scaled(elevation_of({}), 1.03);
   coarse.name += coarser;
   spacings.runs.results.at("theory").series.push_back(coarse);
-  EXPECT_NEAR(spacings.widths("theory").at(500), 0.03 * std::abs(elevation_of({}).value[500]),
+  EXPECT_NEAR(spacings.widths("theory").at(250), 0.03 * std::abs(elevation_of({}).value[250]),
               1e-12);
 }
 
@@ -94,7 +94,7 @@ TEST(HistoryUncertainty, OfPotentialFlowEndsWithTheShorterOfItsTwoRuns) {
   coarse.value.resize(17);
   spacings.runs.results.at("theory").series.push_back(coarse);
   const std::vector<double> widths = spacings.widths("theory");
-  ASSERT_EQ(widths.size(), 1001u);
+  ASSERT_EQ(widths.size(), 501u);
   EXPECT_NEAR(widths[16], 0.03 * std::abs(elevation_of({}).value[16]), 1e-12);
   for (std::size_t i = 17; i < widths.size(); ++i) EXPECT_TRUE(std::isnan(widths[i])) << i;
   const reports::Figure figure = figure_of(assess(spacings.definition, spacings.runs), "history");
@@ -108,9 +108,9 @@ TEST(MainHistory, HasARibbonAboutTheRunThatHasCoarserOnesAndShadesWhatIsNotCompa
   ASSERT_EQ(figure.curves.at(2).label, "particles");
   const reports::Curve& curve = figure.curves[2];
   ASSERT_EQ(curve.lower.size(), curve.y.size());
-  const double half = 1000 * spacings.widths()[500];  // [mm]
-  EXPECT_NEAR(curve.upper[500] - curve.y[500], half, 1e-9);
-  EXPECT_NEAR(curve.y[500] - curve.lower[500], half, 1e-9);
+  const double half = 1000 * spacings.widths()[250];  // [mm]
+  EXPECT_NEAR(curve.upper[250] - curve.y[250], half, 1e-9);
+  EXPECT_NEAR(curve.y[250] - curve.lower[250], half, 1e-9);
   EXPECT_TRUE(figure.curves.at(0).lower.empty());
   EXPECT_NE(figure.caption.find("Ribbons around solvers"), std::string::npos);
   ASSERT_EQ(figure.spans.size(), 1u);  // the window ends with the case

@@ -260,5 +260,57 @@ TEST(RowUncertainty, OfGravityIsTheLargestOfItsIntervalOrUnknown) {
   EXPECT_FALSE(FreeWave(1, Input::gravity, 9.0).contributions().input.half_width);
 }
 
+// A free wave of a viscous liquid, with a theory that does not count viscosity before or after the
+// one that does, or alone.
+struct OfAViscousWave : OfARecord {
+  OfAViscousWave(Metric metric, const std::string& unit, const std::vector<std::string>& theories)
+      : OfARecord(metric, "natural_1", unit, 0.9, 1e-4) {
+    definition.motion = {};
+    definition.initial_wave = InitialWaveDefinition{1, 0.01};
+    definition.liquid.kinematic_viscosity = 1e-3;
+    const RunDefinition first = definition.runs.at(0);
+    definition.runs.erase(definition.runs.begin());
+    runs.results.erase("theory");
+    runs.status.erase("theory");
+    RunDefinition viscous = first;
+    viscous.solver = ViscousWaveRun{0.1};
+    const RunResult wave = execute(definition, viscous, {}, [](double, double) {});
+    for (auto& [name, result] : runs.results) {
+      result = result_of(name, wave.at(surge_quantity));
+      if (name == "coarse_particles") result.series[0] = scaled(result.series[0], 1.0001);
+    }
+    for (const std::string& name : theories) {
+      RunDefinition theory = name == "viscous" ? viscous : first;
+      theory.name = name;
+      runs.results[name] = execute(definition, theory, {}, [](double, double) {});
+      runs.status[name] = {RunState::finished, ""};
+      definition.runs.push_back(theory);
+    }
+  }
+};
+
+TEST(RowUncertainty, OfViscosityComesFromATheoryThatCountsItOrIsUnknown) {
+  const std::vector<std::vector<std::string>> both{{"linear", "viscous"}, {"viscous", "linear"}};
+  for (const auto& [metric, unit] :
+       {std::pair{Metric::decay_error, "1"}, {Metric::decay_rate, "1/s"}})
+    for (const Input input : {Input::kinematic_viscosity, Input::fill_depth}) {
+      const double half_width = input == Input::fill_depth ? 0.02 : 5e-4;
+      std::vector<double> found;
+      for (const auto& theories : both) {
+        OfAViscousWave row(metric, unit, theories);
+        row.definition.inputs = {{input, half_width, "a guess"}};
+        found.push_back(row.contributions().input.half_width.value());
+      }
+      EXPECT_EQ(found[0], found[1]) << "in any order";
+      EXPECT_GT(found[0], input == Input::fill_depth ? 1e-5 : 0.005) << metric_name(metric);
+      OfAViscousWave alone(metric, unit, {"linear"});
+      alone.definition.inputs = {{input, half_width, "a guess"}};
+      const GateOutcome outcome = alone.judged();
+      EXPECT_FALSE(outcome.judgement->contributions.input.half_width);
+      EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << outcome.message;
+      EXPECT_NE(outcome.message.find("viscosity"), std::string::npos) << outcome.message;
+    }
+}
+
 }  // namespace
 }  // namespace slosh::row_inputs_test

@@ -71,8 +71,8 @@ RunResult large_result(const std::string& run, const LargeRun& large) {
       {"momentum_x", "kg/s", {}, {}},    {"momentum_z", "kg/s", {}, {}},
       {"kinetic_energy", "J/m", {}, {}}, {"wall_pressure@P/filtered", "Pa", {}, {}},
       {"mach_number", "1", {}, {}}};
-  for (int i = 0; i <= 4000; ++i) {
-    const double t = 0.01 * i;
+  for (int i = 0; i <= 2000; ++i) {
+    const double t = 0.02 * i;
     const double angle =
         2 * std::numbers::pi * large.frequency * t - large.late / 180 * std::numbers::pi;
     const double more = t < 10 ? large.at_first : 1;

@@ -107,7 +107,7 @@ TEST(SelftestRecord, OutlivesItsFile) {
   EXPECT_TRUE(read.quick);
   ASSERT_EQ(read.cases.size(), 1U);
   EXPECT_EQ(read.cases[0].rows_judged, 4);
-  EXPECT_EQ(read.cases[0].detections.at(Spoiling::noise).rows.size(), 1U);
+  EXPECT_EQ(read.cases[0].detections.at(Spoiling::noise).rows.size(), 2U);
   EXPECT_TRUE(shortcomings(read, {surge_with(complete).definition}).empty());
 }
 

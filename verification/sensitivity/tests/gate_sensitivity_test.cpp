@@ -23,7 +23,7 @@ TEST(GateSensitivity, SaysWhichSpoilingsARowDetects) {
   EXPECT_EQ(sensitivity[0].detects, (std::map<Spoiling, bool>{{Spoiling::amplitude, true},
                                                               {Spoiling::lag, false},
                                                               {Spoiling::datum, false},
-                                                              {Spoiling::noise, false},
+                                                              {Spoiling::noise, true},
                                                               {Spoiling::truncation, true},
                                                               {Spoiling::not_a_number, true}}));
   EXPECT_FALSE(sensitivity[1].detects.at(Spoiling::amplitude)) << "half of the amplitude may err";
