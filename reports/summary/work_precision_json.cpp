@@ -52,12 +52,11 @@ Json run_entry(const WorkRun& run) {
           {"normalised_rms", estimate_json(run.error)}};
 }
 
-Json speed_up_entry(const SpeedUp& found) {
+Json speed_up_entry(const EqualErrorSpeed& found) {
   return {{"error", found.error},
-          {"mesh", found.mesh_run},
-          {"reach", reach_name(found.reach)},
           {"speed_up", found.value},
-          {"relative_half_width_95", found.spread}};
+          {"half_width_95_of_logarithm", found.spread},
+          {"costs_are_repeated", found.is_repeated}};
 }
 
 }  // namespace
@@ -68,6 +67,7 @@ Json estimate_json(const Estimate& value) {
 
 Json work_precision_json(const CaseAssessment& assessment) {
   const std::vector<WorkFamily> families = work_families(assessment);
+  const std::vector<EqualErrorSpeed> speeds = equal_error_speeds(assessment);
   Json list = Json::array();
   for (const WorkFamily& family : families) {
     const std::vector<WorkPoint> times = by_core_seconds(family), memories = by_memory(family);
@@ -80,8 +80,9 @@ Json work_precision_json(const CaseAssessment& assessment) {
                {"memory_to_reach", costs_at_errors(memories, "peak_memory_byte")},
                {"speed_against_interfoam", Json::array()}};
     for (const WorkRun& run : family.runs) entry["runs"].push_back(run_entry(run));
-    for (const SpeedUp& found : speed_ups(family, families))
-      entry["speed_against_interfoam"].push_back(speed_up_entry(found));
+    for (const EqualErrorSpeed& found : speeds)
+      if (found.family == family.name)
+        entry["speed_against_interfoam"].push_back(speed_up_entry(found));
     list.push_back(std::move(entry));
   }
   return list;

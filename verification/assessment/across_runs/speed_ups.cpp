@@ -25,17 +25,6 @@ std::optional<CostAtError> cost_at_reached(const std::vector<WorkPoint>& points,
   return is_reached ? std::optional(found) : std::nullopt;
 }
 
-// How far the cost moves, as a logarithm, while the error that is asked for moves within its
-// interval; an end of the interval that is not reached is left out.
-double moved_by_error(const std::vector<WorkPoint>& own, double cost, const Estimate& error) {
-  double most = 0;
-  for (const double side : {-1.0, 1.0}) {
-    const double other = error.value * std::exp(side * error.half_width / error.value);
-    most = std::fmax(most, std::abs(std::log(cost_at_error(own, other).cost / cost)));
-  }
-  return most;
-}
-
 // The ratio at the smallest error that both curves reach, and the spread that its costs' bars give.
 std::optional<EqualErrorSpeed> speed_at_equal_error(const std::string& family,
                                                     const std::vector<WorkPoint>& points,
@@ -128,23 +117,6 @@ std::vector<WorkFamily> stated_families(const CaseAssessment& assessment) {
     return family.changed && !work_slope(by_core_seconds(family));
   });
   return families;
-}
-
-std::vector<SpeedUp> speed_ups(const WorkFamily& family, const std::vector<WorkFamily>& families) {
-  const auto mesh = std::find_if(families.begin(), families.end(),
-                                 [](const WorkFamily& one) { return one.name == mesh_family; });
-  if (mesh == families.end() || family.name == mesh_family) return {};
-  std::vector<SpeedUp> found;
-  for (const WorkPoint& point : pareto_front(by_core_seconds(*mesh))) {
-    const std::vector<WorkPoint> points = by_core_seconds(family);
-    const CostAtError own = cost_at_error(points, point.error.value);
-    const double of_mesh = point.cost.half_width / point.cost.value;
-    found.push_back({point.error.value, point.run, point.cost.value / own.cost,
-                     std::hypot(known_spread(own), std::isnan(of_mesh) ? 0 : of_mesh,
-                                moved_by_error(points, own.cost, point.error)),
-                     own.reach});
-  }
-  return found;
 }
 
 std::vector<EqualErrorSpeed> equal_error_speeds(const CaseAssessment& assessment) {

@@ -16,14 +16,6 @@ const std::vector<double>& stated_errors();
 // of two or more resolutions.
 std::vector<WorkFamily> stated_families(const CaseAssessment& assessment);
 
-struct SpeedUp {
-  double error;          // that of an interFoam run
-  std::string mesh_run;  // that run
-  double value;          // its core-seconds over the family's at that error; NaN where not reached
-  double spread;         // half width of ln value, from all known intervals
-  Reach reach;           // by_cheapest: the value is a lower bound
-};
-
 // How many times the speed of interFoam a method has where both have the same error: the smallest
 // that both reach with runs of theirs, which is that of the less accurate one's finest run.
 struct EqualErrorSpeed {
@@ -39,9 +31,5 @@ std::vector<EqualErrorSpeed> equal_error_speeds(const CaseAssessment& assessment
 
 // Returns "SPH: 7.1 times the speed of interFoam at equal error (9.4 %), 5.0 to 10".
 std::string speed_text(const EqualErrorSpeed& speed);
-
-// Compares a family with each mesh of interFoam's Pareto front. Returns none where the case has no
-// interFoam run, and for interFoam itself.
-std::vector<SpeedUp> speed_ups(const WorkFamily& family, const std::vector<WorkFamily>& families);
 
 }  // namespace slosh
