@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -205,6 +206,22 @@ TEST(StartDisorder, MakesRepeatsThatDifferAndTheSameOneAgain) {
   // The wave is 4 mm high by then, and the disorder 0.5 mm.
   EXPECT_NEAR(one.back(), none.back(), 5e-4);
   EXPECT_THROW(elevation(0.3, 1), std::invalid_argument);
+}
+
+// A quarter of a period after its release the wave passes the still level.
+TEST(InitialWave, SwingsWithItsNaturalFrequencyUnderEveryKindOfWalls) {
+  constexpr double pi = std::numbers::pi;
+  const double omega = std::sqrt(9.81 * pi * std::tanh(pi * 0.35)), quarter = pi / 2 / omega;
+  for (const char* variant : {"", "ghost_walls", "dynamic_walls"}) {
+    Scene scene = still_scene(0.025, 1.1 * quarter);
+    scene.initial_wave = InitialWave{1, 0.01};
+    scene.variant = variant;
+    scene.sample_interval = 1.1 * quarter / 44;
+    const History left = run("recommended", scene, {}).elevation.at("left");
+    EXPECT_NEAR(left.value.front(), 0.01 * std::cos(0.05 * pi), 2e-5) << variant;
+    EXPECT_GT(left.value[36], 0) << variant;  // 0.9 of the quarter
+    EXPECT_LT(left.value[44], 0) << variant;  // 1.1 of it
+  }
 }
 
 }  // namespace

@@ -120,19 +120,5 @@ TEST(Settled, IsRefusedForAWaveThatWouldRunMeanwhile) {
   EXPECT_THROW(run("recommended", scene, {}), std::invalid_argument);
 }
 
-// A quarter of a period after its release the wave passes the still level.
-TEST(InitialWave, SwingsWithItsNaturalFrequencyUnderEveryKindOfWalls) {
-  const double omega = std::sqrt(9.81 * pi * std::tanh(pi * 0.35)), quarter = pi / 2 / omega;
-  for (const char* variant : {"", "ghost_walls", "dynamic_walls"}) {
-    Scene scene = waved_scene(1, 0.01, 0.025, 1.1 * quarter);
-    scene.variant = variant;
-    scene.sample_interval = 1.1 * quarter / 44;
-    const History left = run("recommended", scene, {}).elevation.at("left");
-    EXPECT_NEAR(left.value.front(), 0.01 * std::cos(0.05 * pi), 2e-5) << variant;
-    EXPECT_GT(left.value[36], 0) << variant;  // 0.9 of the quarter
-    EXPECT_LT(left.value[44], 0) << variant;  // 1.1 of it
-  }
-}
-
 }  // namespace
 }  // namespace slosh::sph::initial_surface_test

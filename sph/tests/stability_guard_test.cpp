@@ -60,7 +60,7 @@ TEST(StabilityGuard, NamesTheParticleWhoseDensityIsOutOfRange) {
 
 // A liquid that a tank which stops within 10 ms throws against the wall at three times its sound.
 Scene thrown_scene() {
-  Scene scene = still_scene(0.025, 0.2);
+  Scene scene = still_scene(0.05, 0.2);
   constexpr double speed = 20, span = 0.01;
   scene.displacement = [=](double t) {
     const double braked = std::min(t, span);
