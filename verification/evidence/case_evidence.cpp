@@ -269,8 +269,9 @@ Estimate CaseEvidence::corrected_p_value(const std::vector<std::string>& members
   return holm_corrected(family, 0);
 }
 
-// A run that is not sound keeps the row from passing, whether the row names it or rests on it. What
-// it does later is no doubt of its start.
+// A run that is not sound keeps the row from passing, whether the row names it or rests on it, but
+// for a row on what the run records of itself, such as its energy budget, which judges just that.
+// What it does later is no doubt of its start.
 RowDoubts CaseEvidence::doubts_of_runs(const GateRow& row, const std::set<std::string>& rests_on) {
   RowDoubts doubts;
   std::set<std::string> named{row.candidate, row.reference, row.improves_on.value_or("")};
@@ -283,7 +284,8 @@ RowDoubts CaseEvidence::doubts_of_runs(const GateRow& row, const std::set<std::s
   const std::string unsound = row.metric == Metric::initial_value
                                   ? std::string()
                                   : soundness_doubt(definition_, runs_, named);
-  if (!unsound.empty()) doubts = {doubts.text + "; doubtful: " + unsound, true};
+  const bool is_of_itself = !row.quantity.empty() && !find_quantity(row.quantity);
+  if (!unsound.empty()) doubts = {doubts.text + "; doubtful: " + unsound, !is_of_itself};
   if (is_cost(row.metric)) doubts.text += left_out_as_compiling(definition_, runs_, row);
   return doubts;
 }
@@ -367,7 +369,8 @@ GateEvidence CaseEvidence::gate_evidence() {
           {definition_.window_begin, definition_.window_end},
           [this](const std::string& run, const std::string& quantity) {
             return series_of(runs_, run, as_read(runs_, run, quantity));
-          }};
+          },
+          [this](const std::string& quantity) { return resting_values(definition_, quantity); }};
 }
 
 GateOutcome CaseEvidence::judge(const GateRow& row) {

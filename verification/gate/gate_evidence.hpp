@@ -22,6 +22,8 @@ using FindComparison = std::function<const Comparison&(
 // Returns a run's series over the time that the row judges, checked as cut_to_window() does: it is
 // finite and covers that time. Throws ComparisonError or ResultError where there is no such series.
 using FindSeries = std::function<TimeSeries(const std::string& run, const std::string& quantity)>;
+// Returns the values at which a quantity may rest, in its unit (quantities.hpp).
+using FindRests = std::function<std::vector<double>(const std::string& quantity)>;
 // Returns the whole of that series, as the run recorded it. Throws the same errors.
 using FindHistory = std::function<TimeSeries(const std::string& run, const std::string& quantity)>;
 
@@ -88,6 +90,7 @@ struct GateEvidence {
   double sample_interval = 0;  // [s], of the case's series
   TimeWindow judged = {};      // the time over which the row is judged; empty: of each series all
   FindHistory readings = {};   // as `history`; of a filtered pressure those before its filter
+  FindRests rests = {};        // of the candidate's quantity
 };
 
 }  // namespace slosh

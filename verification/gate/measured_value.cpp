@@ -357,7 +357,8 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence, R
     if (!is_compared) continue;
     SensorReadings readings{
         "candidate", series.unit,
-        sensor_limits(is_smoothed ? evidence.readings(run, row.quantity) : whole, window)};
+        sensor_limits(is_smoothed ? evidence.readings(run, row.quantity) : whole, window),
+        evidence.rests ? evidence.rests(row.quantity) : std::vector<double>{}};
     keep_flats_of_peaks(row, largest_of(series).magnitude, readings.limits);
     std::ranges::move(doubts_of_readings(readings), std::back_inserter(doubts));
     if (readings.limits.step && are_coarse_for(row, readings, 0))

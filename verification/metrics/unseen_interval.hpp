@@ -29,9 +29,9 @@ struct UnseenInterval {
 std::optional<UnseenInterval> unseen_interval(const TimeSeries& candidate,
                                               const CommonSamples& common);
 
-// The longest interval between two samples that meets the window, where it is more than ten median ones or three of the
-// intervals at which the case records: the median is large where a series is sampled in bursts or
-// thinned between its crests.
+// The longest interval between two samples that meets the window, where it is more than ten median
+// ones or three of the intervals at which the case records: the median is large where a series is
+// sampled in bursts or thinned between its crests.
 std::optional<TimeWindow> longest_gap(const TimeSeries& whole, TimeWindow window,
                                       double recorded_interval);
 

@@ -121,6 +121,15 @@ TEST_F(Soundness, KeepsAValidationRowFromPassingAndIsToldBesideEveryRow) {
   EXPECT_NE(judged().message.find("doubtful"), std::string::npos);
 }
 
+TEST_F(Soundness, IsToldOfARowOnWhatTheRunRecordsOfItselfAndKeepsItFromNothing) {
+  definition.gate = {surge_row("whole", Metric::largest_magnitude, "1", 0.5)};
+  definition.gate[0].reference.clear();
+  definition.gate[0].quantity = "mach_number";
+  record("mach_number", 0.42);
+  EXPECT_EQ(judged().verdict, Verdict::pass) << judged().message;
+  EXPECT_NE(judged().remarks.find("doubtful: particles is not sound"), std::string::npos);
+}
+
 // What a run of Slosh records where c0 is twice the expected speed, and ten times.
 TEST_F(Soundness, OfALiquidThatIsTooSoftKeepsItsRowFromPassing) {
   for (const double ratio : {2.0, 10.0}) {

@@ -985,12 +985,14 @@ class GateOnALoad : public ::testing::Test {
     evidence.history = [&](const auto&, const auto&) { return whole; };
     evidence.sample_interval = 0.01;
     evidence.judged = over;
+    evidence.rests = [&](const auto&) { return rests; };
     evidence.ensemble = [&](const auto& run) { return EnsembleOfRun{{run}, false, may_repeat}; };
     return evaluate(row, {{"sph", {RunState::finished, ""}}}, evidence);
   }
 
   GateRow row = row_of(Metric::largest_magnitude, "whole", "N/m", 60);
   bool may_repeat = false;
+  std::vector<double> rests;
 };
 
 TEST_F(GateOnALoad, TellsWhenThePeakIsAndThatALargerOneLiesOutsideOfItsTime) {
@@ -1027,6 +1029,16 @@ TEST_F(GateOnALoad, DoubtsAFlatOnlyWhereThePeakMayBeCutOff) {
   EXPECT_EQ(judge(flat, {0, 10}).verdict, Verdict::inconclusive);
   row.limit = 160;
   EXPECT_EQ(judge(flat, {0, 10}).verdict, Verdict::pass);
+}
+
+TEST_F(GateOnALoad, DoubtsNoFlatAtWhichTheQuantityRests) {
+  row = row_of(Metric::noise_share, "whole", "1", 0.05);
+  row.quantity = "elevation@right";
+  TimeSeries at_roof = load(0);
+  for (double& value : at_roof.value) value = std::min(value, 10.0);
+  EXPECT_EQ(judge(at_roof, {0, 10}).verdict, Verdict::inconclusive);
+  rests = {10};
+  EXPECT_EQ(judge(at_roof, {0, 10}).verdict, Verdict::pass) << judge(at_roof, {0, 10}).message;
 }
 
 // The gauge fails from 4.06 s on, and four samples of the part are left.
