@@ -355,11 +355,11 @@ void add_doubts_of_candidate(const GateRow& row, const GateEvidence& evidence, R
     if (row.metric == Metric::largest_magnitude && !row.improves_on)
       add_doubts_of_peak(row, series, doubts);
     if (!is_compared) continue;
-    SensorReadings readings{
-        "candidate", series.unit,
-        sensor_limits(is_smoothed ? evidence.readings(run, row.quantity) : whole, window),
-        evidence.rests ? evidence.rests(row.quantity) : std::vector<double>{}};
-    keep_flats_of_peaks(row, largest_of(series).magnitude, readings.limits);
+    const TimeSeries read = is_smoothed ? evidence.readings(run, row.quantity) : whole;
+    SensorReadings readings{"candidate", series.unit, sensor_limits(read, window),
+                            evidence.rests ? evidence.rests(row.quantity) : std::vector<double>{}};
+    const double largest = largest_of(is_smoothed ? cut_to_window(read, window) : series).magnitude;
+    keep_flats_of_peaks(row, largest, readings.limits);
     std::ranges::move(doubts_of_readings(readings), std::back_inserter(doubts));
     if (readings.limits.step && are_coarse_for(row, readings, 0))
       doubts.push_back(step_doubt(readings));

@@ -311,13 +311,13 @@ RecordRun record_with_band() {
   return published;
 }
 
-// The rows on the band, the first over all of it and the second over its second half.
+// The rows on the band, the first over all of it and the second over its end.
 CaseDefinition banded_case() {
   CaseDefinition definition = dam_case();
   definition.runs[0].solver = record_with_band();
   definition.gate = {front_row(Metric::outside_band, "1", 0.2),
                      front_row(Metric::outside_band, "1", 0.1)};
-  definition.gate[1].part = {0.5, 0.8};
+  definition.gate[1].part = {0.3, 0.8};
   return definition;
 }
 
@@ -338,7 +338,7 @@ TEST(RecordAssessment, JudgesACandidateInTheBandOfTheRepeats) {
     EXPECT_EQ(outcome.value.value, 0);
   }
   EXPECT_EQ(row_name(inside.gate.at(1).row),
-            "particles against published, whole outside_band from 0.5 to 0.8 s of front_position");
+            "particles against published, whole outside_band from 0.3 to 0.8 s of front_position");
 }
 
 TEST(RecordAssessment, ViolatesRowsOnTheBandByWhatLeavesIt) {
