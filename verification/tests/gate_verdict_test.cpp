@@ -173,7 +173,7 @@ TEST_F(GateVerdict, IsNotTakenFromAFileOfAnEarlierStart) {
 
 // Two rows of one name are one to a ledger.
 TEST_F(GateVerdict, IsOfRowsWithNamesOfTheirOwn) {
-  std::string row = own_row("rms_error", "0.05");
+  const std::string row = own_row("normalised_rms", "0.05");
   const auto over = [&](const char* end) {
     return row + "part_begin_s = 1.0\npart_end_s = " + end + "\n";
   };

@@ -62,7 +62,7 @@ int check(const CheckOptions& options, const Installation& installation) {
 }
 
 struct NewOptions {
-  std::string name, like;  // exactly one of like and minimal
+  std::string name, like;  // like or minimal
   bool minimal = false;
   std::filesystem::path output;  // empty: NAME.toml
 };
@@ -103,6 +103,8 @@ std::string minimal_text(const std::string& name) {
 }
 
 int leave_case(const NewOptions& options, const Installation& installation) {
+  if (options.like.empty() && !options.minimal)
+    throw CaseFileError("new: expected --minimal, or --like and the case to begin with");
   const std::filesystem::path file =
       options.output.empty() ? std::filesystem::path(options.name + ".toml") : options.output;
   const std::string text =
@@ -187,13 +189,13 @@ void add_new_command(const CommandTree& tree) {
   command.add_option("name", options->name, "The name of the new case")
       ->type_name("NAME")
       ->required();
-  CLI::Option_group& begin = *command.add_option_group("Begin with");
-  begin
-      .add_option("--like", options->like,
-                  "The case to begin with: one of `slosh list`, or the path of a case file")
-      ->type_name(case_type);
-  begin.add_flag("--minimal", options->minimal, "A small tank in surge, in 25 lines");
-  begin.require_option(1);
+  CLI::Option* like =
+      command
+          .add_option("--like", options->like,
+                      "The case to begin with: one of `slosh list`, or the path of a case file")
+          ->type_name(case_type);
+  command.add_flag("--minimal", options->minimal, "Begin with a small tank in surge, in 25 lines")
+      ->excludes(like);
   command.add_option("-o,--output", options->output, "The new case file (default: NAME.toml)")
       ->type_name(file_type);
 }
