@@ -67,16 +67,19 @@ const GateRow& featured(const CaseDefinition& definition, const std::vector<Judg
           })->row;
 }
 
+// Of rows that all pass.
+std::string standing_of_passing(bool any_validates, bool any_watches) {
+  return any_validates ? "validated" : any_watches ? "watched, not validated" : "limits kept";
+}
+
 std::string standing_name(const std::vector<JudgedRow>& rows) {
   if (rows.front().shown.verdict != Verdict::pass) return verdict_name(rows.front().shown.verdict);
-  const auto any = [&](auto holds) {
-    return std::any_of(rows.begin(), rows.end(), [&](const auto& one) { return holds(*one.row); });
-  };
-  if (any([](const GateRow& row) { return row.kind == RowKind::validation && compares(row); }))
-    return "validated";
-  return any([](const GateRow& row) { return row.kind == RowKind::regression; })
-             ? "watched, not validated"
-             : "limits kept";
+  bool validates = false, watches = false;
+  for (const JudgedRow& one : rows) {
+    validates |= !one.shown.regression && compares(*one.row);
+    watches |= one.shown.regression;
+  }
+  return standing_of_passing(validates, watches);
 }
 
 // The value of the code's row on the metric between the same runs; "" where it has none.
@@ -156,10 +159,13 @@ void add_problem(const ProblemAssessment& assessment, std::vector<HeadlineLine>&
   std::erase_if(rows, [](const ShownRow& row) { return !row.counts(); });
   if (rows.empty()) return;
   const ShownRow& worst = *std::min_element(rows.begin(), rows.end(), is_worse);
+  const bool validates =
+      std::any_of(rows.begin(), rows.end(), [](const ShownRow& row) { return !row.regression; });
   lines.push_back(
       {.name = worst.name,
        .verdict = worst.verdict,
-       .standing = worst.verdict == Verdict::pass ? "validated" : verdict_name(worst.verdict),
+       .standing = worst.verdict == Verdict::pass ? standing_of_passing(validates, !validates)
+                                                  : verdict_name(worst.verdict),
        .candidate = "SPH",
        .reference = "the exact solution",
        .amplitude = {},

@@ -86,6 +86,7 @@ std::vector<ShownRow> shown_rows(const std::vector<ProblemAssessment>& problems)
                       .candidate = outcome.row.measure,
                       .reference = "exact solution",
                       .shown_reference = "exact solution",
+                      .regression = outcome.row.kind == RowKind::regression,
                       .metric = metric_name(outcome.row.metric),
                       .metric_text = metric_name(outcome.row.metric),
                       .verdict = outcome.verdict,

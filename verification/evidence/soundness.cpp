@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -86,9 +87,7 @@ void add_unsound(const CaseDefinition& definition, const CaseRuns& runs,
 }
 
 std::string joined(const std::vector<std::pair<std::string, std::string>>& told) {
-  std::string text;
-  for (const auto& [run, doubt] : told) text += (text.empty() ? "" : "; ") + doubt;
-  return text;
+  return fmt::format("{}", fmt::join(std::views::values(told), "; "));
 }
 
 }  // namespace

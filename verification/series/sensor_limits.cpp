@@ -355,11 +355,14 @@ TimeSeries finite_part(const TimeSeries& whole, TimeWindow window) {
 }  // namespace
 
 SensorLimits sensor_limits(const TimeSeries& whole, TimeWindow window) {
-  SensorLimits limits = limits_of(finite_part(whole, window), window);
+  TimeSeries part = finite_part(whole, window);
+  SensorLimits limits = limits_of(part, window);
   const double length = window.end - window.begin;
   for (const double around : {length, std::numeric_limits<double>::infinity()}) {
-    const SensorLimits wider =
-        limits_of(finite_part(whole, {window.begin - around, window.end + around}), window);
+    TimeSeries more = finite_part(whole, {window.begin - around, window.end + around});
+    if (more.time.size() == part.time.size()) continue;  // they show the same
+    part = std::move(more);
+    const SensorLimits wider = limits_of(part, window);
     if (!limits.highest) limits.highest = wider.highest;
     if (!limits.lowest) limits.lowest = wider.lowest;
     const bool is_short = wider.sparse && length < 2 * fewest_readings * wider.sparse->interval;

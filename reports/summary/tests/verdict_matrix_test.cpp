@@ -132,6 +132,22 @@ TEST(Headline, SaysByHowMuchAndAgainstWhatAsTheRowsJudge) {
   EXPECT_EQ(headline_word(exit_pass, cases, {}), "PASS");
 }
 
+TEST(Headline, OfAProblemWithRegressionRowsAloneIsWatched) {
+  ProblemAssessment drop;
+  drop.definition.name = "drop";
+  ProblemGateRow row;
+  row.measure = "period";
+  row.metric = ProblemMetric::largest_error;
+  row.unit = "1";
+  row.limit = 0.1;
+  row.kind = RowKind::regression;
+  drop.gate = {{row, Verdict::pass, 0.05, "0.05 <= 0.1"}};
+  EXPECT_EQ(headline_lines({}, {drop}).at(0).standing, "watched, not validated");
+  row.kind = RowKind::validation;
+  drop.gate.push_back({row, Verdict::pass, 0.05, "0.05 <= 0.1"});
+  EXPECT_EQ(headline_lines({}, {drop}).at(0).standing, "validated");
+}
+
 TEST(Headline, ComparesTheRunsWhereNoRowJudgesANumber) {
   CaseDefinition definition = surge_case();
   definition.gate = {surge_row("forced", Metric::phase_lag, "deg", 2)};
