@@ -43,8 +43,9 @@ constexpr double bar_height = 16;                          // [px]
 constexpr double bar_bottom = 38, words_middle = 57;       // [px] from the canvas' top
 constexpr double longest_scale_bar = 150;                  // [px]
 
-// The axes of each panel are its cell's pixels. A velocity arrow is drawn white (style 1) below
-// dark (style 2), so that it shows on every colour. Style 3 is the scale bar.
+// The second axes of each panel are its cell's pixels; the first are those of the image, whose
+// middles of pixels are whole numbers. A velocity arrow is drawn white (style 1) below dark (style
+// 2), so that it shows on every colour. Style 3 is the scale bar.
 std::string canvas(const FieldLayout& layout) {
   const auto across = [&](int pixels) { return static_cast<double>(pixels) / layout.width; };
   const auto down = [&](int pixels) { return static_cast<double>(pixels) / layout.height; };
@@ -52,35 +53,43 @@ std::string canvas(const FieldLayout& layout) {
       layout.left + layout.columns * (layout.cell_width + layout.column_gap) - layout.column_gap;
   const int label_height = layout.label_lines * label_line;
   return fmt::format(
-      "unset border\nunset tics\nunset key\nset xrange [0:{}]\nset yrange [0:{}]\n"
+      "unset border\nunset tics\nunset key\nset x2range [0:{}]\nset y2range [0:{}]\n"
+      "set xrange [-0.5:{}]\nset yrange [-0.5:{}]\n"
       "set style arrow 1 head size screen {:.6f},22 nofilled lw 2.2 lc rgb '{}'\n"
       "set style arrow 2 head size screen {:.6f},22 nofilled lw 1.2 lc rgb '{}'\n"
       "set style arrow 3 heads size screen {:.6f},90 lw 1.6 lc rgb '{}'\n"
       "set multiplot layout {},{} margins screen {:.7f},{:.7f},{:.7f},{:.7f} "
       "spacing screen {:.7f},{:.7f}\n",
-      layout.cell_width, layout.cell_height, across(6), paper.light, across(6), ink.light,
-      across(5), ink.light, layout.rows, layout.columns, across(layout.left), across(right),
-      down(row_gap), 1 - down(key_height + label_height), across(layout.column_gap),
-      down(row_gap + label_height));
+      layout.cell_width, layout.cell_height, layout.cell_width - 0.5, layout.cell_height - 0.5,
+      across(6), paper.light, across(6), ink.light, across(5), ink.light, layout.rows,
+      layout.columns, across(layout.left), across(right), down(row_gap),
+      1 - down(key_height + label_height), across(layout.column_gap), down(row_gap + label_height));
 }
 
+// The scale of the colours is that of the image, whose values are levels: gnuplot would take a
+// second for each panel to compute the values of all pixels.
 std::string colour_bar(const FieldFigure& figure, const FieldLayout& layout,
                        const ColourRange& range) {
-  std::vector<std::string> colours;
+  std::vector<std::string> colours, marks;
   for (std::size_t i = 0; i < field_colours.size(); ++i)
     colours.push_back(fmt::format("{} '{}'", i, field_colours[i]));
+  const auto mark = [&](const std::string& label, double value) {
+    const double share = (value - range.lower) / (range.upper - range.lower);
+    marks.push_back(fmt::format("{} {:.4f}", quoted(label), colour_levels * share - 0.5));
+  };
   const BarTicks ticks = bar_ticks(range, bar_width * layout.width);
+  mark(range.lower_label, range.lower);
+  for (double tick = ticks.first; tick <= ticks.last + range.step / 4; tick += range.step)
+    mark(bar_label(tick), tick);
+  mark(range.upper_label, range.upper);
   return fmt::format(
-      "set palette maxcolors {} defined ({})\nset cbrange [{}:{}]\n"
+      "set palette maxcolors {} defined ({})\nset cbrange [-0.5:{}]\n"
       "set colorbox user horizontal origin screen {},{:.5f} size screen {},{:.5f} noborder\n"
-      "set cbtics {},{},{} out nomirror scale 0.6 offset 0,0.4 textcolor rgb '{}'\nset cbtics add "
-      "({} {}, {} "
-      "{})\n"
+      "set cbtics ({}) out nomirror scale 0.6 offset 0,0.4 textcolor rgb '{}'\n"
       "set cblabel {} offset 0,0.8 textcolor rgb '{}'\n",
-      colour_levels, fmt::join(colours, ", "), range.lower, range.upper, bar_start,
-      1 - bar_bottom / layout.height, bar_width, bar_height / layout.height, ticks.first,
-      range.step, ticks.last + range.step / 4, ink.light, quoted(range.lower_label), range.lower,
-      quoted(range.upper_label), range.upper, quoted(figure.value_label), ink.light);
+      colour_levels, fmt::join(colours, ", "), colour_levels - 0.5, bar_start,
+      1 - bar_bottom / layout.height, bar_width, bar_height / layout.height, fmt::join(marks, ", "),
+      ink.light, quoted(figure.value_label), ink.light);
 }
 
 // A part of the key: an arrow of the given length [px] with words below it.
@@ -121,14 +130,13 @@ std::string data_blocks(const FieldPanel& panel, const FieldLayout& layout,
   return blocks + "END\n";
 }
 
-// The image is given the middles of the pixels and of the levels.
-std::string plot_command(const ColourRange& range, bool has_arrows) {
+std::string plot_command(bool has_arrows) {
   std::string command = fmt::format(
-      "plot $field matrix using (0.5+$1):(0.5+$2):({}+({})*(0.5+$3)/{}) with image, \\\n"
-      "  $tank with lines lw 1.5 lc rgb '{}'",
-      range.lower, range.upper - range.lower, colour_levels, faint_ink.light);
+      "plot $field matrix with image, \\\n  $tank axes x2y2 with lines lw 1.5 lc rgb '{}'",
+      faint_ink.light);
   for (const int style : {1, 2})
-    if (has_arrows) command += fmt::format(", \\\n  $arrows with vectors arrowstyle {}", style);
+    if (has_arrows)
+      command += fmt::format(", \\\n  $arrows axes x2y2 with vectors arrowstyle {}", style);
   return command + "\n";
 }
 
@@ -171,7 +179,7 @@ std::string multiplot(const FieldDrawing& drawing, std::size_t first, std::size_
                           fmt::join(lines, ".\"\\n\"."), ink.light);
     script += data_blocks(figure.panels[i], layout, field_raster(figure.panels[i], layout, range),
                           arrows.panels[i]);
-    script += plot_command(range, !arrows.panels[i].empty());
+    script += plot_command(!arrows.panels[i].empty());
     if (i == first)
       script += "unset arrow\nunset label\nunset colorbox\n";  // the key is drawn once
   }

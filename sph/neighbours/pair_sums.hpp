@@ -83,17 +83,17 @@ struct MomentumOfCluster {
     for (std::size_t i = cluster->first; i < cluster->first + cluster->size;
          i += lanes_of<Number>) {
       const std::size_t count = cluster->first + cluster->size - i;
-      const auto [x, z, u, w, rho, spacing] = state_at<Smoothing, Number>(*particles, i);
-      const Number strength = terms.formulation.strength(terms.state.pressure(rho), rho);
+      const LaneState<Number> a = state_at<Smoothing, Number>(*particles, i);
+      const Number strength = terms.formulation.strength(terms.state.pressure(a.rho), a.rho);
       Number sum_x{}, sum_z{};
       const auto add = [&](const auto& b, std::size_t) {
-        const auto dx = x - b.x, dz = z - b.z, distance2 = dx * dx + dz * dz;
-        const auto inverse_h = terms.smoothing.inverse(spacing, b.spacing);
+        const auto dx = a.x - b.x, dz = a.z - b.z, distance2 = dx * dx + dz * dz;
+        const auto inverse_h = terms.smoothing.inverse(a.spacing, b.spacing);
         auto s = strength + b.strength;
         if constexpr (Viscosity::active) {
-          const auto approach = (u - b.velocity_x) * dx + (w - b.velocity_z) * dz;
+          const auto approach = (a.u - b.velocity_x) * dx + (a.w - b.velocity_z) * dz;
           s += terms.viscosity.pair(approach, distance2, 1.0 / inverse_h) *
-               terms.formulation.viscous_scale(rho, b.density);
+               terms.formulation.viscous_scale(a.rho, b.density);
         }
         const auto f = b.weight * s * pair_gradient<Kernel, Smoothing>(distance2, inverse_h);
         sum_x += f * dx;
@@ -101,7 +101,7 @@ struct MomentumOfCluster {
       };
       for_two_sources_each(*cluster, sources, cluster->source_count, add);
       const auto factor =
-          shared_scale<Kernel>(terms.smoothing) * terms.formulation.acceleration_factor(rho);
+          shared_scale<Kernel>(terms.smoothing) * terms.formulation.acceleration_factor(a.rho);
       const Number pull_x = load<Number>(&rates->acceleration_x[i]),
                    pull_z = load<Number>(&rates->acceleration_z[i]);
       store(&rates->acceleration_x[i], -factor * sum_x + pull_x, count);
@@ -125,19 +125,19 @@ struct ContinuityOfCluster {
     for (std::size_t i = cluster->first; i < cluster->first + cluster->size;
          i += lanes_of<Number>) {
       const std::size_t count = cluster->first + cluster->size - i;
-      const auto [x, z, u, w, rho, spacing] = state_at<Smoothing, Number>(*particles, i);
+      const LaneState<Number> a = state_at<Smoothing, Number>(*particles, i);
       Number own{}, gradient_x{}, gradient_z{}, divergence{}, diffusion{};
       if constexpr (Diffusion::active)
-        own = terms.diffusion.diffused(terms.state.pressure(rho), rho, tank->height(x, z));
+        own = terms.diffusion.diffused(terms.state.pressure(a.rho), a.rho, tank->height(a.x, a.z));
       if constexpr (Diffusion::reads_gradient) {
         gradient_x = load<Number>(&gradient->x[i]);
         gradient_z = load<Number>(&gradient->z[i]);
       }
       const auto add = [&](const auto& b, [[maybe_unused]] std::size_t k) {
-        const auto dx = x - b.x, dz = z - b.z;
-        const auto inverse_h = terms.smoothing.inverse(spacing, b.spacing);
+        const auto dx = a.x - b.x, dz = a.z - b.z;
+        const auto inverse_h = terms.smoothing.inverse(a.spacing, b.spacing);
         const auto f = b.weight * pair_gradient<Kernel, Smoothing>(dx * dx + dz * dz, inverse_h);
-        divergence += f * ((u - b.velocity_x) * dx + (w - b.velocity_z) * dz);
+        divergence += f * ((a.u - b.velocity_x) * dx + (a.w - b.velocity_z) * dz);
         if constexpr (Diffusion::active) {
           auto difference = own - b.density;
           if constexpr (Diffusion::reads_gradient) {
@@ -152,7 +152,7 @@ struct ContinuityOfCluster {
         diffusion = terms.diffusion.pair(diffusion, 1.0 / terms.smoothing.inverse_length);
       store(&rates->density_rate[i],
             shared_scale<Kernel>(terms.smoothing) *
-                (terms.formulation.continuity_factor(rho) * divergence +
+                (terms.formulation.continuity_factor(a.rho) * divergence +
                  terms.formulation.volume_of_weight * diffusion),
             count);
     }

@@ -58,7 +58,7 @@ class NodeSums : public testing::Test {
     return p;
   }
 
-  static SolidPlace node_at(double x, double z) { return {-0.005, z, x, z, true, false}; }
+  static SolidPlace node_at(double x, double z) { return {-0.005, z, x, z, {true, false}}; }
 
   const Scheme<WithGhostWalls> scheme_{small_scene()};
   bool expect_linear_ = false;

@@ -87,7 +87,9 @@ void add_unsound(const CaseDefinition& definition, const CaseRuns& runs,
 }
 
 std::string joined(const std::vector<std::pair<std::string, std::string>>& told) {
-  return fmt::format("{}", fmt::join(std::views::values(told), "; "));
+  std::vector<std::string> texts;
+  for (const auto& [group, text] : told) texts.push_back(text);
+  return fmt::format("{}", fmt::join(texts, "; "));
 }
 
 }  // namespace

@@ -134,11 +134,11 @@ void add_modes(const PreparedSeries& candidate, const PreparedSeries& reference,
 // other.
 SensorReadings resting_with(const PreparedSeries& one, const PreparedSeries& other) {
   constexpr double near = 0.25;  // of the other's range
-  const auto [low, high] = std::minmax_element(other.cut.value.begin(), other.cut.value.end());
-  const double reach = near * (*high - *low);
+  const auto ends = std::ranges::minmax(other.cut.value);
+  const double reach = near * (ends.max - ends.min);
   SensorReadings readings = one.readings;
   std::erase_if(readings.rests,
-                [&](double rest) { return rest < *low - reach || rest > *high + reach; });
+                [&](double rest) { return rest < ends.min - reach || rest > ends.max + reach; });
   return readings;
 }
 
@@ -233,15 +233,16 @@ Comparison compare(const TimeSeries& candidate, const TimeSeries& reference, Tim
 }
 
 double normalised_rms_without_offset(const Comparison& comparison) {
-  const auto& [name, unit, time, value] = comparison.residual;
+  const TimeSeries& residual = comparison.residual;
   const auto mean_square_about = [&](double datum) {
     std::vector<double> squares;
-    for (const double one : value) squares.push_back((one - datum) * (one - datum));
-    return mean_of(time, squares);
+    for (const double one : residual.value) squares.push_back((one - datum) * (one - datum));
+    return mean_of(residual.time, squares);
   };
   const double all = mean_square_about(0);
   if (all == 0) return 0;
-  return comparison.normalised_rms.value * std::sqrt(mean_square_about(mean_of(time, value)) / all);
+  const double mean = mean_of(residual.time, residual.value);
+  return comparison.normalised_rms.value * std::sqrt(mean_square_about(mean) / all);
 }
 
 }  // namespace slosh

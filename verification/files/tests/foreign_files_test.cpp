@@ -93,7 +93,7 @@ TEST_F(PlainFile, IsNotWaitedForWhereItIsTheLockOfTheCores) {
 
 TEST(JsonText, IsRefusedWhereItIsNestedTooDeep) {
   for (const auto& [open, close] : {std::pair{"[", "]"}, std::pair{"{\"a\":", "}"}}) {
-    const auto nested = [&](int depth) {
+    const auto nested = [&open = open, &close = close](int depth) {
       std::string text, end;
       for (int i = 0; i < depth; ++i) {
         text += open;

@@ -952,7 +952,7 @@ TEST(Gate, DoubtsACostWhoseErrorTheReferenceDoesNotTell) {
        {std::pair{Contribution(0.019), Verdict::pass},
         {Contribution(0.021), Verdict::inconclusive},
         {Contribution::unknown("the record declares none"), Verdict::inconclusive}}) {
-    GateEvidence evidence{find, no_series, {}, [&](const GateRow& of) {
+    GateEvidence evidence{find, no_series, {}, [&reference = reference](const GateRow& of) {
                             UncertaintyContributions all;
                             if (of.metric == Metric::normalised_rms) all.reference = reference;
                             return all;

@@ -110,15 +110,15 @@ template <class Wave>
 Told told(const Wave& of, double interval, double cut, double noise, double steps) {
   Told found;
   const TimeSeries round = sampled(of, 0, 40, 0.001);
-  const auto [low, high] = std::minmax_element(round.value.begin(), round.value.end());
+  const auto ends = std::ranges::minmax(round.value);
   for (unsigned seed = 1; seed <= 20; ++seed) {
     std::mt19937 generator(seed);
     std::normal_distribution<double> normal;
-    const double range = *high - *low;
+    const double range = ends.max - ends.min;
     const SensorLimits limits = limits_of_all(sampled(
         [&](double t) {
           const double value =
-              std::min(of(t), *high - cut * range / 2) + noise * range * normal(generator);
+              std::min(of(t), ends.max - cut * range / 2) + noise * range * normal(generator);
           return steps > 0 ? in_steps(value, range / steps) : value;
         },
         0, 40, interval));
