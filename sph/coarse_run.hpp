@@ -5,7 +5,7 @@
 // counted over all particles and samples. The tank's frame is the right one: a tank that is carried
 // along evenly compresses nothing, and liquid meets walls at its speed relative to them. It is not
 // the largest speed, which is that of single splashed particles and does not converge with the
-// spacing (docs/schemes.md has the measurements). V_max is at least the speed sqrt(g h) of a long
+// spacing (docs/notebook/scheme_choices.md). V_max is at least the speed sqrt(g h) of a long
 // wave, because the liquid's weight compresses it by g h / c0^2 too (Monaghan 1994, section 4).
 //
 // The cost of a run in two dimensions grows as the inverse cube of the spacing. Three times the

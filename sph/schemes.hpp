@@ -74,7 +74,7 @@ struct Recommended {
 // delta-SPH as published (Antuono et al. 2010; Marrone et al. 2011): Wendland C2 at h = 2 dp, the
 // linear equation of state, alpha = 0.02, delta = 0.1 with renormalised gradients, and fixed ghost
 // particles with free slip. Two things are added at the walls: the ghost particles stand twice as
-// densely along them, and count only as far as there is liquid at their nodes (docs/schemes.md).
+// densely along them, and count only as far as there is liquid at their nodes (docs/walls.md).
 // The staggered leapfrog takes the place of a Runge-Kutta step, with the same result at less cost.
 struct DeltaSph : Recommended {
   using Kernel = WendlandC2;

@@ -284,7 +284,7 @@ const std::vector<KeyTable>& campaign_key_tables() {
                  {"timing", table("[timing]"), no}}),
       key_table("problem", "[[problem]]", "no",
                 "A problem with an exact solution, solved at several resolutions: see "
-                "[Verification problems](problems.md).",
+                "[Verification problems](campaigns.md#verification-problems).",
                 {{"name", text("problem name"), yes, "Each problem may appear once."},
                  {"gate", tables("[[problem.gate]]"), yes, "One row or more, below."}}),
       key_table(

@@ -377,7 +377,7 @@ const FieldTable<SphRun> sph_table{
      {{"expected_speed", one_of({"estimate", "coarse_run"}), no,
        "Where V_max comes from: sqrt(g h) plus the tank's largest speed, or a first run of the "
        "same flow at a coarser spacing: see [The speed of "
-       "sound](scheme_choices.md#the-speed-of-sound). A coarse run is refused where tank and "
+       "sound](schemes.md#the-speed-of-sound). A coarse run is refused where tank and "
        "liquid are at rest. Default: estimate."}},
      field_of_part<SphRun>("courant_number", number_of(&SphNumbers::courant_number),
                            number().from(0.001, 10), no, "Default: the scheme's."),

@@ -86,15 +86,5 @@ TEST_F(Library, InstallsHeadersThatFindOneAnotherAndNothingOfItsTests) {
                   include.string(), (root_ / "all.cpp").string()});
 }
 
-TEST_F(Library, IsDocumentedByTheExampleAsItIs) {
-  const fs::path source = SLOSH_SOURCE_DIR;
-  const std::string page = read(source / "docs/library.md");
-  for (const auto& [file, language] :
-       {std::pair{"sph/example/surge.cpp", "cpp"}, {"sph/example/CMakeLists.txt", "cmake"}})
-    EXPECT_NE(page.find(std::string("```") + language + "\n" + read(source / file) + "```\n"),
-              std::string::npos)
-        << file;
-}
-
 }  // namespace
 }  // namespace slosh::library_test

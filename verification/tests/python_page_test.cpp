@@ -1,4 +1,4 @@
-// The commands and the Python code of docs/python.md, in the order of the page: it reads what the
+// The commands and the Python code of docs/results.md, in the order of the page: it reads what the
 // tool leaves, and draws it.
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ class PythonPage : public SmallCampaign {
   }
 
   static std::vector<std::string> blocks(const std::string& language) {
-    const std::string page = reports::read_text(SLOSH_SOURCE_DIR "/docs/python.md");
+    const std::string page = reports::read_text(SLOSH_SOURCE_DIR "/docs/results.md");
     return documents::all_matches(page, "\n```" + language + "\n((?:[^`]|`(?!``))*)```");
   }
 
@@ -39,10 +39,9 @@ class PythonPage : public SmallCampaign {
 TEST_F(PythonPage, ReadsAndDrawsWhatItsCommandsLeave) {
   if (!imports("h5py")) GTEST_SKIP() << "python3-h5py is not installed";
   const std::vector<std::string> commands = blocks("sh"), codes = blocks("python");
-  ASSERT_EQ(commands.size(), 3u);
-  ASSERT_EQ(codes.size(), 4u);
-  for (const std::string& command : commands)
-    ASSERT_EQ(end_of(start("/bin/sh", {"-c", command})).status, 0) << command;
+  ASSERT_EQ(commands.size(), 1u);
+  ASSERT_EQ(codes.size(), 2u);
+  ASSERT_EQ(end_of(start("/bin/sh", {"-ec", commands.front()})).status, 0) << commands.front();
   const bool draws = imports("matplotlib");
   std::string printed;
   for (const std::string& code : codes) {
@@ -53,10 +52,8 @@ TEST_F(PythonPage, ReadsAndDrawsWhatItsCommandsLeave) {
   }
   EXPECT_TRUE(holds(printed, "li2010_small_amplitude recommended_25mm by sph\n"));
   EXPECT_TRUE(holds(printed, "\nelevation@right to 20.0 s from -0.0"));
-  EXPECT_TRUE(holds(printed, "\nhighest elevation: 0.0"));
   if (!draws) GTEST_SKIP() << "python3-matplotlib is not installed";
-  for (const char* picture : {"elevation.png", "beside_theory.png"})
-    EXPECT_TRUE(reports::is_whole_png(read(picture))) << picture;
+  EXPECT_TRUE(reports::is_whole_png(read("beside_theory.png")));
 }
 
 }  // namespace
