@@ -33,10 +33,10 @@ const RecordRun* record_named(const CaseDefinition& definition, const std::strin
 }
 
 // Whether the record is long and dense enough to resolve the modes.
-bool resolves(const std::vector<ToneRequest>& modes, const TimeSeries& record,
-              TimeWindow window) try {
+bool resolves(const std::vector<ToneRequest>& modes, TimeWindow window,
+              const TimeSeries* record = nullptr) try {
   require_resolved(window, modes);
-  require_sampled(cut_to_window(record, window), modes);
+  if (record) require_sampled(cut_to_window(*record, window), modes);
   return true;
 } catch (const ComparisonError&) {
   return false;
@@ -115,9 +115,11 @@ CaseEvidence& CaseEvidence::over_time_of(const GateRow& row) {
   const std::pair<double, double> time = judged_time(row, definition_);
   if (time == std::pair(definition_.window_begin, definition_.window_end)) return *this;
   std::shared_ptr<CaseEvidence>& here = other_times_[time];
-  if (!here)
-    here = std::make_shared<CaseEvidence>(
-        other_definitions_.emplace_back(judged_over(row, definition_)), runs_, nullptr, needed_);
+  if (here) return *here;
+  here = std::make_shared<CaseEvidence>(
+      other_definitions_.emplace_back(judged_over(row, definition_)), runs_, nullptr, needed_);
+  // A row on a mode over so short a time is refused before anything runs.
+  if (!resolves(modes_, {time.first, time.second})) here->modes_.clear();
   return *here;
 }
 
@@ -157,7 +159,7 @@ Comparison CaseEvidence::compared(const std::string& candidate, const std::strin
         definition_.window_end));
   std::vector<ToneRequest> modes;
   if (has_modes(quantity)) modes = modes_;
-  if (record && !resolves(modes, series_of(runs_, reference, quantity), window)) modes.clear();
+  if (record && !resolves(modes, window, &series_of(runs_, reference, quantity))) modes.clear();
   Comparison comparison =
       compare(prepared("candidate", candidate, quantity, {}, window, modes),
               prepared("reference", reference, quantity, moved, window, modes), needed_.names);

@@ -70,6 +70,24 @@ TEST_F(JudgedTime, OfAPartIsThePartAndTellsOfALargerPeakOutside) {
   EXPECT_EQ(judged(row).verdict, Verdict::violated);
 }
 
+// The peaks of repeats are compared, over less than a period of the natural mode.
+TEST_F(JudgedTime, OfAPeakOfRepeatsMayBeTooShortForAMode) {
+  RunDefinition repeat = run_named(definition, "particles");
+  repeat.name = "particles_2";
+  for (RunDefinition& run : definition.runs)
+    if (run.name == "particles") run.ensemble = "particles";
+  repeat.ensemble = "particles";
+  definition.runs.push_back(repeat);
+  runs.results["particles_2"] = result_of("particles_2", with_slam());
+  runs.status["particles_2"] = runs.status.at("particles");
+  GateRow row = peak_row();
+  row.limit = 0.6;
+  row.part = {0.2, 1};
+  EXPECT_EQ(judged(row).verdict, Verdict::pass) << judged(row).message;
+  row.limit = 0.4;
+  EXPECT_EQ(judged(row).verdict, Verdict::violated);
+}
+
 TEST_F(JudgedTime, OfAComparisonIsTheWindowOrThePart) {
   GateRow row = surge_row("whole", Metric::normalised_rms, "1", 0.1);
   EXPECT_EQ(judged(row).verdict, Verdict::pass);
