@@ -83,7 +83,7 @@ TEST(PhasorFigure, IsOneAModeAndNoneOfAModeThatNobodyResolves) {
   definition.natural_modes = 2;
   const CaseAssessment assessment = assess(definition, surge_runs());
   EXPECT_FALSE(figure_of(assessment, "phasor-natural_1").id.empty());
-  EXPECT_FALSE(figure_of(assessment, "phasor-natural_2").id.empty());
+  EXPECT_FALSE(figure_of(assessment, "phasor-natural_3").id.empty());
   definition.motion = {};
   EXPECT_TRUE(figure_of(assess(definition, surge_runs()), "phasor-forced").id.empty());
 }

@@ -338,9 +338,9 @@ TEST(FittedModes, AreTheForcingAndTheFirstModesThatSurgeExcites) {
   EXPECT_FALSE(modes[0].refine);
   EXPECT_EQ(modes[1].name, "natural_1");
   EXPECT_NEAR(modes[1].angular_frequency, 4.96646, 1e-5);
-  EXPECT_EQ(modes[2].name, "natural_2");
+  EXPECT_EQ(modes[2].name, "natural_3");
   EXPECT_NEAR(modes[2].angular_frequency, 9.60235, 1e-5);
-  EXPECT_EQ(modes[3].name, "natural_3");
+  EXPECT_EQ(modes[3].name, "natural_5");
   EXPECT_NEAR(modes[3].angular_frequency, 12.41330, 1e-5);
   EXPECT_TRUE(modes[1].refine && modes[2].refine && modes[3].refine);
 }

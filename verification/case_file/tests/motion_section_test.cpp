@@ -142,7 +142,7 @@ TEST(MotionSection, WantsTheForcedModeOfSeveralToBeNamed) {
   const std::string text = edited({sine_surge, two_sines});
   expect_refusals(text, R"(
 -> gate.mode = "forced": expected what amplitude_error is measured on, one of forced_1, forced_2,
-  natural_1, natural_2
+  natural_1, natural_3
 gate.mode is missing: expected what amplitude_error is measured on, one of forced_1, forced_2
 )");
   EXPECT_EQ(read_text(with_keys(text, "gate.mode = \"forced_2\"")).gate.at(0).mode, "forced_2");
