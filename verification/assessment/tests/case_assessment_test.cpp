@@ -45,6 +45,16 @@ TEST(CaseAssessment, RejectsACandidateATenthTooHigh) {
   EXPECT_EQ(exit_status({assessment}), exit_violated);
 }
 
+TEST(CaseAssessment, AsksForTheUnitOrTheSignOfACandidateThatIsAThousandfoldOrTurnedOver) {
+  const auto remarks = [](double factor) {
+    return assess_candidate(scaled(elevation_of({}), factor)).gate.front().remarks;
+  };
+  EXPECT_EQ(remarks(1000), "; unit? the candidate's swing is 1e+03 times the reference's");
+  EXPECT_EQ(remarks(0.001), "; unit? the candidate's swing is 0.001 times the reference's");
+  EXPECT_EQ(remarks(-1), "; sign? the candidate is the reference turned over");
+  EXPECT_EQ(remarks(2), "");
+}
+
 TEST(CaseAssessment, RejectsACandidateATwentiethOfAPeriodLate) {
   TimeSeries late = elevation_of({});
   for (double& time : late.time) time += 0.05 * forcing_period;
