@@ -1,5 +1,4 @@
-// Figures over time: the motion of the tank, the time series of every compared quantity, residuals
-// and the energy budget.
+// Figures over time: the time series of every compared quantity, residuals and the energy budget.
 //
 // Power spectra over the comparison window, with the frequencies that theory predicts.
 
@@ -63,18 +62,6 @@ Curve shown_part(const std::string& label, const Spectrum& spectrum, double high
           {spectrum.power.begin(), spectrum.power.begin() + count},
           {},
           {}};
-}
-
-reports::Curve sampled(const CaseDefinition& definition, const std::string& label,
-                       const std::function<double(double)>& motion, double scale) {
-  reports::Curve curve{label, {}, {}, {}, {}};
-  const long last = std::lround(definition.duration / definition.sample_interval);
-  for (long i = 0; i <= last; ++i) {
-    // Round-off must not take the last multiple of the interval past the end of a table.
-    curve.x.push_back(std::min(i * definition.sample_interval, definition.duration));
-    curve.y.push_back(scale * motion(curve.x.back()));
-  }
-  return curve;
 }
 
 // Adds the runs' curves with ribbons of their numerical uncertainty; returns whether any has one.
@@ -223,31 +210,6 @@ std::vector<Figure> spectrum_figures(const CaseAssessment& assessment) {
     if (!figure.curves.empty()) figures.push_back(std::move(figure));
   }
   return figures;
-}
-
-std::vector<Figure> motion_figures(const CaseAssessment& assessment) {
-  const CaseDefinition& definition = assessment.definition;
-  const auto roll = roll_motion(definition);
-  if (!roll) return {};
-  Figure angle;
-  angle.id = case_id(definition.name) + "-roll";
-  angle.title = "Roll of the tank";
-  angle.caption = fmt::format(
-      "Counter-clockwise about the point {:.3g} m from the left wall and {:.3g} m above the "
-      "bottom, as prescribed to every run.",
-      roll->axis_x, roll->axis_z);
-  angle.x_label = "time [s]";
-  angle.y_label = "roll [deg]";
-  angle.x_range = {0, definition.duration};
-  angle.curves = {sampled(definition, "roll", roll->angle, 1 / radians_per_degree)};
-  if (!definition.motion.surge) return {angle};
-  Figure surge = angle;
-  surge.id = case_id(definition.name) + "-surge";
-  surge.title = "Surge of the tank";
-  surge.caption = "Displacement of the roll axis and the tank, as prescribed to every run.";
-  surge.y_label = "surge [mm]";
-  surge.curves = {sampled(definition, "surge", surge_motion(definition).displacement, 1000)};
-  return {angle, surge};
 }
 
 std::vector<Figure> main_history(const CaseAssessment& assessment) {

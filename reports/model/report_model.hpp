@@ -80,6 +80,7 @@ struct Figure {
   std::vector<Marker> markers;
   std::vector<Span> spans = {};
   bool equal_axes = false;  // a square with one scale for both axes, neither of them logarithmic
+  bool to_scale = false;    // one scale for both axes, whose ranges are given; as high as they take
   std::vector<std::pair<double, std::string>> x_ticks = {};  // place and label; empty: automatic
   std::pair<double, double> y_range{0, 0};  // of several figures with one scale; else automatic
   bool is_small = false;  // one of small multiples: its page draws one legend for them all

@@ -215,7 +215,8 @@ std::vector<Section> case_sections(const CaseAssessment& assessment,
   std::vector<Section> sections;
   Section summary = section_on(page_of_case(name), case_id(name) + "-summary", "Summary");
   summary.paragraphs = case_findings(assessment, coverage);
-  if (!summary.paragraphs.empty()) sections.push_back(std::move(summary));
+  summary.figures = {tank_figure(assessment.definition)};
+  sections.push_back(std::move(summary));
   sections.push_back(gate_section(assessment));
   sections.push_back(results_section(assessment));
   Section further =

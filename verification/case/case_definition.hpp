@@ -86,6 +86,8 @@ struct SumOfSines {
 struct TableMotion {
   std::filesystem::path file;
   std::vector<double> time, value;  // [s]; [m], or [rad]
+  bool of_accelerations = false;    // whether the file holds these, and not positions
+  double largest = 0;               // the largest magnitude in the file during the case [SI]
 };
 
 using MotionHistory = std::variant<SineMotion, SumOfSines, TableMotion>;

@@ -416,7 +416,7 @@ TEST(CampaignReport, TellsHowTheTankMovesAndWhatDoubtsTheModels) {
                           {}}),
                     "sin(1.5 rad/s t + 90 deg) + 0.01 m sin(2 rad/s t - 30 deg), ramped"));
   CaseAssessment found = good();
-  found.definition.motion = {TableMotion{"tables/a.csv", {0, 20}, {0, 0}}, {}};
+  found.definition.motion = {TableMotion{"tables/a.csv", {0, 5, 10, 20}, {0, 0, 0, 0}}, {}};
   found.definition.declared_forcing_frequency = 1.50002;
   found.definition.found_forcing = {0.0003, 0.021};
   const std::string words = words_of(found, "small_surge");
