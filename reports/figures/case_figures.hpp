@@ -10,8 +10,8 @@
 
 namespace slosh {
 
-// Returns the figures of the case's own page: the time series of its first quantity (as figures 1
-// to 3 of Li et al. 2010); the distributions of impacts' peaks; residuals
+// Returns the figures of the case's own page: the time series of the quantities that its gate rows
+// judge (as figures 1 to 3 of Li et al. 2010); the distributions of impacts' peaks; residuals
 // with the tolerance band; amplitude and lag over time and as phasors; convergence; and, last,
 // error against run time and against memory. A figure without a run to show is left out.
 std::vector<reports::Figure> case_figures(const CaseAssessment& assessment);
@@ -39,8 +39,9 @@ reports::Figure tank_figure(const CaseDefinition& definition);
 // Position, speed and acceleration of the tank over time, each with its largest magnitude.
 std::vector<reports::Figure> motion_figures(const CaseDefinition& definition);
 
-// The time series of the case's first quantity, and of its other compared quantities.
-std::vector<reports::Figure> main_history(const CaseAssessment& assessment);
+// The time series of the quantities that the case's gate rows judge, its first one where there are
+// no rows, and those of its other compared quantities.
+std::vector<reports::Figure> main_histories(const CaseAssessment& assessment);
 std::vector<reports::Figure> other_histories(const CaseAssessment& assessment);
 
 // The distributions of the peaks of impacts, of repeated runs beside the experiment's repeats.

@@ -14,6 +14,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
 #include "reports/figures/run_looks.hpp"
+#include "reports/model/is_one_of.hpp"
 #include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/case_definition.hpp"
@@ -154,6 +155,17 @@ double tolerated_residual(const CaseAssessment& assessment, const Comparison& co
   return 0;
 }
 
+// Those that gate rows judge; the first of a case without rows.
+std::vector<std::string> main_quantities(const CaseDefinition& definition) {
+  std::vector<std::string> quantities = compared_quantities(definition);
+  const std::string first = quantities.front();
+  std::erase_if(quantities, [&](const std::string& quantity) {
+    return std::none_of(definition.gate.begin(), definition.gate.end(),
+                        [&](const GateRow& row) { return row.quantity == quantity; });
+  });
+  return quantities.empty() ? std::vector<std::string>{first} : quantities;
+}
+
 }  // namespace
 
 Figure spectrum_figure(const CaseAssessment& assessment, const std::string& quantity,
@@ -212,23 +224,27 @@ std::vector<Figure> spectrum_figures(const CaseAssessment& assessment) {
   return figures;
 }
 
-std::vector<Figure> main_history(const CaseAssessment& assessment) {
+std::vector<Figure> main_histories(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  const std::string quantity = compared_quantities(definition).front();
-  Figure figure = history(assessment, quantity, axes_with_units(definition, quantity));
-  figure.id = case_id(definition.name) + "-history";
-  if (figure.curves.empty()) return {};
-  return {figure};
+  std::vector<Figure> figures;
+  for (const std::string& quantity : main_quantities(definition)) {
+    Figure figure = history(assessment, quantity, axes_with_units(definition, quantity));
+    if (quantity == compared_quantities(definition).front())
+      figure.id = case_id(definition.name) + "-history";
+    if (!figure.curves.empty()) figures.push_back(std::move(figure));
+  }
+  return figures;
 }
 
 std::vector<Figure> other_histories(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  const std::vector<std::string> main = main_quantities(definition);
   std::vector<Figure> figures;
-  std::vector<std::string> quantities = compared_quantities(assessment.definition);
-  quantities.erase(quantities.begin());
-  for (const std::string& quantity : quantities) {
-    Figure figure = history(assessment, quantity,
-                            axes_over_depth(assessment.definition, quantity)
-                                .value_or(axes_with_units(assessment.definition, quantity)));
+  for (const std::string& quantity : compared_quantities(definition)) {
+    if (is_one_of(quantity, main)) continue;
+    Figure figure = history(
+        assessment, quantity,
+        axes_over_depth(definition, quantity).value_or(axes_with_units(definition, quantity)));
     if (!figure.curves.empty()) figures.push_back(std::move(figure));
   }
   return figures;
@@ -247,8 +263,7 @@ std::vector<Figure> residual_figures(const CaseAssessment& assessment) {
       shown.word);
   figure.x_label = "time [s]";
   figure.y_label = fmt::format("residual [{}]", shown.unit);
-  figure.x_range = {0, definition.duration};
-  figure.spans = outside_window(definition);
+  figure.x_range = {definition.window_begin, definition.window_end};
   for (const Comparison* judging : shown_comparisons(assessment)) {
     Curve curve{judging->candidate + " - " + judging->reference,
                 judging->residual.time,
@@ -263,6 +278,8 @@ std::vector<Figure> residual_figures(const CaseAssessment& assessment) {
           {"tolerance, " + judging->candidate, -band, band, figure.curves.back().look});
   }
   if (figure.curves.empty()) return {};
+  let_most_set_scale(figure, [](const Curve& curve) { return farthest_from(0, curve); });
+  figure.caption += cut_off_text(figure);
   if (!figure.bands.empty()) figure.caption += " Bands show the rms residual that the gate allows.";
   return {figure};
 }

@@ -137,6 +137,7 @@ struct Table {
   // The reason behind each row, empty for none; as many as rows, or none at all. Pages fold it in
   // the row's last cell until it is asked for; what is printed shows it.
   std::vector<std::string> reasons = {};
+  bool is_folded = false;  // behind its title and the number of its rows, until it is asked for
 };
 
 struct Section {

@@ -129,7 +129,7 @@ Section gate_section(const CaseAssessment& assessment) {
   if (definition.gate.empty())
     section.paragraphs.push_back("No gate row judges this case.");
   else
-    section.tables = {gate_table(assessment)};
+    section.tables = gate_tables(assessment);
   add(remedy_table(assessment), section);
   add(failure_table(definition.name, assessment.runs.status), section);
   return section;
