@@ -24,8 +24,8 @@ using reports::Curve;
 using reports::Figure;
 using reports::Look;
 
-constexpr Look of_tank{true, 0, 0}, of_moved{true, 1, 0}, of_liquid{false, 0, 0},
-    of_sensor{false, 1, 0}, of_probe{false, 2, 1}, of_axis{false, 3, 2};
+constexpr Look of_tank{true, 0, 0}, of_moved{true, 1, 0}, of_sensor{false, 1, 0},
+    of_probe{false, 2, 1}, of_axis{false, 3, 2};
 
 void add_closed(const std::string& label, const Outline& corners, Curve::Style style, Look look,
                 Figure& figure) {
@@ -62,12 +62,10 @@ Curve liquid(const CaseDefinition& definition, const Outline& outline) {
     for (std::size_t side = 0; side < outline.size(); ++side) {
       const Corner &a = outline[side], &b = outline[(side + 1) % outline.size()];
       if (std::min(a.x, b.x) > x || std::max(a.x, b.x) < x) continue;
-      for (const double z : a.x == b.x ? std::initializer_list<double>{a.z, b.z}
-                                       : std::initializer_list<double>{
-                                             a.z + (b.z - a.z) * (x - a.x) / (b.x - a.x)}) {
-        bottom = std::min(bottom, z);
-        top = std::max(top, z);
-      }
+      const double slope = a.x == b.x ? 0 : (b.z - a.z) / (b.x - a.x),
+                   one = a.x == b.x ? a.z : a.z + slope * (x - a.x), other = a.x == b.x ? b.z : one;
+      bottom = std::min({bottom, one, other});
+      top = std::max({top, one, other});
     }
     if (const auto& wave = definition.initial_wave)
       level += wave->amplitude * std::cos(wave->mode * std::numbers::pi * x / length);
@@ -77,7 +75,6 @@ Curve liquid(const CaseDefinition& definition, const Outline& outline) {
     curve.upper.push_back(std::max(curve.lower.back(), std::min(level, top)));
   }
   curve.ribbon = "liquid";
-  curve.look = of_liquid;
   return curve;
 }
 
@@ -88,14 +85,17 @@ void add_moved(const CaseDefinition& definition, const Outline& outline, Figure&
   const double time = peak_of(definition, roll ? roll->angle : surge).time, shift = surge(time),
                angle = roll ? roll->angle(time) : 0;
   Outline moved = outline;
+  double farthest = 0;
   for (Corner& corner : moved) {
-    const double x = corner.x - (roll ? roll->axis_x : 0), z = corner.z - (roll ? roll->axis_z : 0);
-    corner.x += x * (std::cos(angle) - 1) - z * std::sin(angle) + shift;
-    corner.z += x * std::sin(angle) + z * (std::cos(angle) - 1);
+    const double x = corner.x - (roll ? roll->axis_x : 0), z = corner.z - (roll ? roll->axis_z : 0),
+                 dx = x * (std::cos(angle) - 1) - z * std::sin(angle) + shift,
+                 dz = x * std::sin(angle) + z * (std::cos(angle) - 1);
+    corner = {corner.x + dx, corner.z + dz};
+    farthest = std::max(farthest, std::hypot(dx, dz));
   }
   add_closed(fmt::format("the tank at {:.3g} s, farthest from its start", time), moved,
              Curve::Style::dashed, of_moved, figure);
-  figure.curves.back().sets_scale = std::abs(shift) < definition.tank.length;
+  figure.curves.back().sets_scale = farthest < definition.tank.length;
 }
 
 // Of the curves that set the scale.
@@ -148,11 +148,12 @@ Figure tank_figure(const CaseDefinition& definition) {
   figure.id = case_id(definition.name) + "-tank";
   figure.title = "The tank and its gauges";
   figure.caption =
-      "To scale; a surge is positive to the right, a roll counter-clockwise. The tank " +
+      "To scale; x counts from the left wall and z from the bottom. A surge is positive to the "
+      "right, a roll counter-clockwise. Dotted lines are gauges of the surface. The tank " +
       std::string(definition.motion.still() ? "is " : "moves by ") + motion_text(definition) +
       motion_peaks(definition) + ".";
-  figure.x_label = "x, from the left wall [m]";
-  figure.y_label = "z, from the bottom [m]";
+  figure.x_label = "x [m]";
+  figure.y_label = "z [m]";
   figure.to_scale = true;
   figure.curves.push_back(liquid(definition, outline));
   add_closed("tank", outline, Curve::Style::line, of_tank, figure);
