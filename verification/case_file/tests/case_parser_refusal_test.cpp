@@ -24,7 +24,7 @@ run(mesh).expected_speed = "coarse_run": expected only these keys here: name, so
 run(mesh).variant = "a": expected only these keys here: name, solver, quick, cells_x
 motion.surge.amplitude_deg = 0.02: expected only these keys here: type, amplitude_m,
   angular_frequency_rad_s, frequency_Hz, period_s, phase_deg, ramp_periods, sines, file,
-  time_offset_s; nearest known key: amplitude_m
+  time_offset_s, segments; nearest known key: amplitude_m
 motion.surge.type is missing: expected a motion, one of sine, sines, table
 gas.air = {} -> gas.air = (a table): expected only these keys
 )");

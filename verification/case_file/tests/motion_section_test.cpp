@@ -203,7 +203,7 @@ motion.roll.axis_z_m = inf: expected a number from -2000 to 2000 (1000 tank leng
   bottom
 motion.roll.axis_y_m = 0: expected only these keys here: type, amplitude_deg,
   angular_frequency_rad_s, frequency_Hz, period_s, phase_deg, ramp_periods, sines, file,
-  time_offset_s, axis_x_m, axis_z_m; nearest known key: axis_x_m
+  time_offset_s, segments, axis_x_m, axis_z_m; nearest known key: axis_x_m
 motion.roll.file = "roll.csv": expected only these keys here: type, amplitude_deg
 )");
   expect_refusals(moved_by(table_roll), R"(
@@ -299,7 +299,7 @@ TEST(MotionSection, GoesStraightBetweenAccelerationsOrTellsHowFarASplineGoesBeyo
                              {12.0, 0.0}})
     EXPECT_NEAR(surge.acceleration(t), a, 1e-9) << t;
   EXPECT_NEAR(surge.velocity(20), -4 * 3.0, 1e-9);
-  EXPECT_EQ(motion_peaks(straight), "; at most 198 m, 12 m/s and 4 m/s2");
+  EXPECT_EQ(motion_peaks(straight), "; at most 197 m, 12 m/s and 4 m/s2");
   const std::string beyond = motion_peaks(of("", "acceleration_m_s2"));
   EXPECT_TRUE(holds(beyond, "beyond its largest acceleration, 4 m/s2")) << beyond;
   EXPECT_TRUE(holds(motion_peaks(of("", "displacement_m")), "beyond its largest position, 4 m"));
