@@ -78,7 +78,7 @@ Curve liquid(const CaseDefinition& definition, const Outline& outline) {
   return curve;
 }
 
-// The tank where its roll or, without one, its surge is largest.
+// The tank where its roll or, without one, its surge is largest, if it is then near its start.
 void add_moved(const CaseDefinition& definition, const Outline& outline, Figure& figure) {
   const auto surge = surge_motion(definition).displacement;
   const auto roll = roll_motion(definition);
@@ -93,9 +93,9 @@ void add_moved(const CaseDefinition& definition, const Outline& outline, Figure&
     corner = {corner.x + dx, corner.z + dz};
     farthest = std::max(farthest, std::hypot(dx, dz));
   }
-  add_closed(fmt::format("the tank at {:.3g} s, farthest from its start", time), moved,
-             Curve::Style::dashed, of_moved, figure);
-  figure.curves.back().sets_scale = farthest < definition.tank.length;
+  if (farthest < definition.tank.length)
+    add_closed(fmt::format("the tank at {:.3g} s, farthest from its start", time), moved,
+               Curve::Style::dashed, of_moved, figure);
 }
 
 // Of the curves that set the scale.

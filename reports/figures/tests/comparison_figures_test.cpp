@@ -111,9 +111,10 @@ TEST(SlidingFigures, ShowAConstantErrorAsALevelCurveWithItsTolerance) {
 
 TEST(ComparisonFigures, LetOneBadModelOfSeveralSetNoScale) {
   const auto curve_sets_scale = [](double bad, const std::string& id, const std::string& label) {
-    const CaseAssessment assessment = assess_scaled({{"a", {"recommended", 0.01, 0.01}, 1.02, {}},
-                                                     {"b", {"delta_sph", 0.01, 0.01}, 1.03, {}},
-                                                     {"c", {"li2010", 0.01, 0.01}, bad, {}}});
+    const CaseAssessment assessment =
+        assess_scaled({{"a", SphRun{"recommended", 0.01, 0.01}, 1.02, {}},
+                       {"b", SphRun{"delta_sph", 0.01, 0.01}, 1.03, {}},
+                       {"c", SphRun{"li2010", 0.01, 0.01}, bad, {}}});
     const reports::Figure figure = figure_of(assessment, id);
     for (const reports::Curve& curve : figure.curves)
       if (curve.label.starts_with(label)) {
