@@ -192,8 +192,10 @@ Figure tank_figure(const CaseDefinition& definition) {
 std::vector<Figure> motion_figures(const CaseDefinition& definition) {
   std::vector<Figure> figures;
   const SurgeMotion surge = surge_motion(definition);
+  const bool is_small = definition.tank.length < 5;  // [m]
   if (definition.motion.surge)
-    figures = {of_motion(definition, "surge", "Surge of the tank", "m", surge.displacement, 1),
+    figures = {of_motion(definition, "surge", "Surge of the tank", is_small ? "mm" : "m",
+                         surge.displacement, is_small ? 1000 : 1),
                of_motion(definition, "surge-speed", "Speed of the surge", "m/s", surge.velocity, 1),
                of_motion(definition, "surge-acceleration", "Acceleration of the surge", "m/s2",
                          surge.acceleration, 1)};

@@ -87,7 +87,8 @@ Figure history(const CaseAssessment& assessment, const std::string& quantity,
   const ShownQuantity shown = shown_quantity(definition, quantity);
   const std::vector<std::string> runs = finest_runs(assessment, quantity);
   Figure figure;
-  figure.id = case_id(definition.name) + "-" + id_of(quantity);
+  figure.id = case_id(definition.name) + "-" +
+              (quantity == compared_quantities(definition).front() ? "history" : id_of(quantity));
   figure.title = shown.title;
   figure.caption =
       axes.symbols +
@@ -229,8 +230,6 @@ std::vector<Figure> main_histories(const CaseAssessment& assessment) {
   std::vector<Figure> figures;
   for (const std::string& quantity : main_quantities(definition)) {
     Figure figure = history(assessment, quantity, axes_with_units(definition, quantity));
-    if (quantity == compared_quantities(definition).front())
-      figure.id = case_id(definition.name) + "-history";
     if (!figure.curves.empty()) figures.push_back(std::move(figure));
   }
   return figures;
