@@ -68,7 +68,7 @@ struct Roll {
                                  // start at rest in the earth's frame
 };
 
-// The gap between the front and the back wall of a narrow tank that is solved in three dimensions,
+// The gap of a narrow tank that is solved in three dimensions,
 // of which the mesh has one half (geometry/layers.hpp).
 struct Gap {
   double breadth;  // [m]
@@ -99,7 +99,7 @@ struct SloshingTank {
   std::optional<InitialWave> start_disturbance = {};
   double gravity;  // [m/s2], downward
   Fluid liquid, gas;
-  // Rate at which the front and the back wall of a narrow tank slow the liquid down [1/s]; 0: not
+  // Rate at which the gap walls of a narrow tank slow the liquid down [1/s]; 0: not
   // at all. It needs a viscous liquid.
   double gap_friction = 0;
   std::function<double(double)> velocity, acceleration;  // X'(t) [m/s], X''(t) [m/s2] of the surge,

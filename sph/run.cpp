@@ -74,8 +74,7 @@ std::vector<std::string> terms_of_run(const Scene& scene, const Method& method) 
   std::vector<std::string> terms = method.active_terms();
   const Setting& setting = method.terms->setting;
   if (gap_layers(setting).largest_friction() > 0)
-    terms.push_back(fmt::format("boundary layers of the front and the back wall {:.4g} m apart",
-                                scene.breadth));
+    terms.push_back(fmt::format("boundary layers of the gap walls {:.4g} m apart", scene.breadth));
   terms.push_back(start_name(chosen_state(scene, method)));
   if (scene.speed_from_coarse_run)
     terms.push_back("expected largest speed measured by a coarse run");

@@ -21,19 +21,23 @@ double chosen(const std::optional<double>& changed, const std::optional<double>&
 
 }  // namespace
 
-double tank_speed(const Scene& scene, double t) {
+double tank_speed(const Scene& scene, double t, double frame) {
   const Roll& roll = roll_of(scene);
   const double reach =
       std::hypot(std::max(std::abs(roll.axis_x), std::abs(scene.tank_length - roll.axis_x)),
                  std::max(std::abs(roll.axis_z), std::abs(scene.fill_depth - roll.axis_z)));
-  return std::abs(scene.velocity(t)) + reach * std::abs(roll.rate(t));
+  return std::abs(scene.velocity(t) - frame) + reach * std::abs(roll.rate(t));
 }
 
 double largest_tank_speed(const Scene& scene) {
-  double fastest = 0;
-  for (double t = 0; t <= scene.duration; t += scene.sample_interval)
-    fastest = std::max(fastest, tank_speed(scene, t));
-  return fastest;
+  double in_earth = 0, in_start = 0;
+  const double start = scene.start == Start::tank ? scene.velocity(0) : 0;
+  for (double t = 0; t <= scene.duration; t += scene.sample_interval) {
+    in_earth = std::max(in_earth, tank_speed(scene, t));
+    in_start = std::max(in_start, tank_speed(scene, t, start));
+  }
+  constexpr double rounding = 1e-9;
+  return in_start < in_earth * (1 - rounding) ? in_start : in_earth;
 }
 
 double expected_speed(const Scene& scene) {

@@ -17,10 +17,12 @@
 
 namespace slosh::sph {
 
-// Returns the speed of the tank's fastest point below the still level at time t [m/s].
-double tank_speed(const Scene& scene, double t);
+// Returns the speed of the tank's fastest point below the still level at time t [m/s], in a frame
+// that moves at a constant speed.
+double tank_speed(const Scene& scene, double t, double frame = 0);
 
-// Returns the largest tank_speed at the sample times [m/s].
+// Returns the largest tank_speed at the sample times [m/s], in the earth's frame or in that of the
+// liquid at the start, where it is smaller: a tank and its liquid that move together are at rest.
 double largest_tank_speed(const Scene& scene);
 
 // Returns the estimate of the largest speed that the liquid is expected to reach [m/s]: the speed

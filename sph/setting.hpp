@@ -13,7 +13,7 @@ struct Setting {
   // compression of the still liquid, so that the tank holds the right mass.
   double rest_density;
   double kinematic_viscosity;  // of the liquid [m2/s]
-  double breadth;              // between the front and the back wall [m]; 0 without them
+  double breadth;              // between the gap walls [m]; 0 without them
   double particle_spacing;     // [m]
   double flattest_cell;        // height over width of the lattice's flattest cell, at most 1
   double smoothing_length_ratio;

@@ -1,4 +1,4 @@
-// The layers of cells between the front and the back wall. In two dimensions there is one, 1 m
+// The layers of cells between the gap walls. In two dimensions there is one, 1 m
 // thick, so that every integral is one per metre of breadth.
 //
 // In three dimensions they fill half of a narrow tank's gap b: from y = 0, at a wall to which the

@@ -20,7 +20,7 @@ void check_cell_count(const std::filesystem::path& file, int expected);
 History column_of(const Rows& rows, std::size_t index, double factor);
 
 // Returns rows of vectors, those on the mesh's depth: the total load on the tank, its pressure and
-// its viscous part, and that of the front and the back wall where they cause friction. `name` is
+// its viscous part, and that of the gap walls where they cause friction. `name` is
 // that of the file.
 Rows wall_loads(const SloshingTank& tank, const std::filesystem::path& case_directory,
                 const char* name, const LogReader& log);

@@ -50,7 +50,7 @@ double rms(const History& elevation, double period, bool later) {
   return std::sqrt(sum / count);
 }
 
-// A free wave of four periods in a tank whose front and back wall may cause friction.
+// A free wave of four periods in a tank whose gap walls may cause friction.
 struct FreeWave {
   SloshingTank tank = still_tank();
   double period;

@@ -81,6 +81,7 @@ AxisRange horizontal_range(const Figure& figure) {
     return {figure.x_range.first, figure.x_range.second};
   Extent extent;
   for (const Curve& curve : figure.curves) {
+    if (figure.equal_axes && !curve.sets_scale) continue;
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
       if (!drawable(figure, curve.x[i], curve.y[i])) continue;
       const double half_bar = curve.x_error.empty() ? 0.0 : curve.x_error[i];
@@ -113,6 +114,11 @@ AxisRange vertical_range(const Figure& figure, const AxisRange& horizontal) {
     }
   }
   for (const Band& band : figure.bands) {
+    const bool is_of_none =
+        std::any_of(figure.curves.begin(), figure.curves.end(), [&](const Curve& curve) {
+          return any_sets && !curve.sets_scale && band.look && band.look == curve.look;
+        });
+    if (is_of_none) continue;
     extent.include(band.lower, figure.log_y);
     extent.include(band.upper, figure.log_y);
   }

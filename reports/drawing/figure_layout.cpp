@@ -77,6 +77,16 @@ std::vector<std::string> wrapped(std::string rest, double width, double characte
 }
 
 Canvas canvas_of(const Figure& figure) {
+  if (figure.to_scale) {
+    const auto [horizontal, vertical] = plot_ranges(figure);
+    const double high =
+        plot_width * (vertical.upper - vertical.lower) / (horizontal.upper - horizontal.lower);
+    Canvas canvas = whole_canvas;
+    constexpr double above_frame = 20, lowest = 90, highest = 400;  // px
+    canvas.plot_height =
+        canvas.below_frame + static_cast<int>(above_frame + std::clamp(high, lowest, highest));
+    return canvas;
+  }
   if (figure.is_small) return small_canvas;
   return figure.equal_axes ? square_canvas : whole_canvas;
 }

@@ -48,7 +48,9 @@ std::string canvas_commands(const Figure& figure, Terminal terminal) {
              terminal_command(canvas, canvas_height(figure), terminal), ink.light, ink.light,
              grid.light, faint_ink.light, (canvas.below_frame + below) / height,
              key_command(figure, below / height)) +
-         (figure.equal_axes ? "set size square\n" : "");
+         (figure.equal_axes ? "set size square\n"
+          : figure.to_scale ? "set size ratio -1\n"
+                            : "");
 }
 
 std::string axis(char name, const std::string& label, const AxisRange& range, bool logarithmic) {

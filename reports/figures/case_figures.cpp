@@ -1,6 +1,8 @@
 #include "reports/figures/case_figures.hpp"
 
+#include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <utility>
 
 #include "reports/figures/figure_panels.hpp"
@@ -25,13 +27,15 @@ std::vector<reports::Figure> figures_of(const CaseAssessment& assessment,
 }  // namespace
 
 std::vector<reports::Figure> case_figures(const CaseAssessment& assessment) {
-  return figures_of(
-      assessment, {motion_figures, main_history, impact_figures, residual_figures, sliding_figures,
-                   phasor_figures, convergence_figures, cost_figures});
+  return figures_of(assessment, {main_histories, impact_figures, residual_figures, sliding_figures,
+                                 phasor_figures, convergence_figures, cost_figures});
 }
 
 std::vector<reports::Figure> appendix_figures(const CaseAssessment& assessment) {
-  return figures_of(assessment, {other_histories, spectrum_figures, study_figures, energy_figures});
+  std::vector<reports::Figure> figures =
+      figures_of(assessment, {other_histories, spectrum_figures, study_figures, energy_figures});
+  std::ranges::move(motion_figures(assessment.definition), std::back_inserter(figures));
+  return figures;
 }
 
 std::vector<reports::Figure> case_histories(const CaseDefinition& definition, CaseRuns runs) {
@@ -39,7 +43,7 @@ std::vector<reports::Figure> case_histories(const CaseDefinition& definition, Ca
   complete_results(definition, runs);
   const CaseAssessment assessment{definition, std::move(runs), {}, {}, {}};
   std::vector<reports::Figure> figures;
-  for (auto make : {main_history, other_histories})
+  for (auto make : {main_histories, other_histories})
     for (const reports::Figure& figure : make(assessment))
       for (reports::Figure& panel : in_panels(figure)) figures.push_back(std::move(panel));
   return figures;

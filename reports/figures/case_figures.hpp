@@ -10,15 +10,15 @@
 
 namespace slosh {
 
-// Returns the figures of the case's own page: the tank's roll; the time series of its first
-// quantity (as figures 1 to 3 of Li et al. 2010); the distributions of impacts' peaks; residuals
+// Returns the figures of the case's own page: the time series of the quantities that its gate rows
+// judge (as figures 1 to 3 of Li et al. 2010); the distributions of impacts' peaks; residuals
 // with the tolerance band; amplitude and lag over time and as phasors; convergence; and, last,
 // error against run time and against memory. A figure without a run to show is left out.
 std::vector<reports::Figure> case_figures(const CaseAssessment& assessment);
 
 // Returns those of its appendix: the time series of the other quantities (figures 5 and 6 there);
 // spectra with the predicted frequencies (figure 7); studies of time step and spacing (figures 10
-// and 11 of Zhao et al. 2021); and energy budgets.
+// and 11 of Zhao et al. 2021); energy budgets; and the tank's motion.
 std::vector<reports::Figure> appendix_figures(const CaseAssessment& assessment);
 
 // Returns the time series alone, of runs that were not judged. References beyond their range are
@@ -32,11 +32,16 @@ std::vector<reports::FieldFigure> case_fields(const CaseAssessment& assessment);
 
 // The kinds of figures that these combine. Each omits figures for which no run has data.
 
-// The roll and the surge of a rolling tank.
-std::vector<reports::Figure> motion_figures(const CaseAssessment& assessment);
+// The tank to scale: outline, liquid at the start, gauges, sensors, probes, the axis of a roll, and
+// the tank where it is farthest from its start.
+reports::Figure tank_figure(const CaseDefinition& definition);
 
-// The time series of the case's first quantity, and of its other compared quantities.
-std::vector<reports::Figure> main_history(const CaseAssessment& assessment);
+// Position, speed and acceleration of the tank over time, each with its largest magnitude.
+std::vector<reports::Figure> motion_figures(const CaseDefinition& definition);
+
+// The time series of the quantities that the case's gate rows judge, its first one where there are
+// no rows, and those of its other compared quantities.
+std::vector<reports::Figure> main_histories(const CaseAssessment& assessment);
 std::vector<reports::Figure> other_histories(const CaseAssessment& assessment);
 
 // The distributions of the peaks of impacts, of repeated runs beside the experiment's repeats.

@@ -138,6 +138,29 @@ void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widt
   curve.ribbon = what;
 }
 
+void let_most_set_scale(reports::Figure& figure,
+                        const std::function<double(const reports::Curve&)>& size) {
+  constexpr std::size_t fewest = 3;
+  constexpr double far = 4;
+  std::vector<double> sizes;
+  for (const reports::Curve& curve : figure.curves)
+    if (curve.look && !curve.look->is_reference) sizes.push_back(size(curve));
+  if (sizes.size() < fewest) return;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>((sizes.size() - 1) / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  if (!(*middle > 0)) return;
+  for (reports::Curve& curve : figure.curves)
+    if (curve.look && !curve.look->is_reference && size(curve) > far * *middle)
+      curve.sets_scale = false;
+}
+
+double farthest_from(double level, const reports::Curve& curve) {
+  double farthest = 0;
+  for (const double value : curve.y)
+    if (std::isfinite(value)) farthest = std::max(farthest, std::abs(value - level));
+  return farthest;
+}
+
 std::string cut_off_text(const reports::Figure& figure) {
   const reports::AxisRange frame = reports::plot_ranges(figure).vertical;
   std::string text;

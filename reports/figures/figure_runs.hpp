@@ -58,6 +58,14 @@ reports::Curve history_curve(const CaseAssessment& assessment, const std::string
 void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widths,
                      const std::string& what);
 
+// Takes the scale from a run whose size is more than four times the median of the figure's runs,
+// where there are three or more: one bad model shall not hide how the others differ.
+void let_most_set_scale(reports::Figure& figure,
+                        const std::function<double(const reports::Curve&)>& size);
+
+// Returns the largest distance of the curve from a level.
+double farthest_from(double level, const reports::Curve& curve);
+
 // Names the curves that set no scale and leave the frame of the others, and what they reach: a
 // sentence with a blank before it, or "".
 std::string cut_off_text(const reports::Figure& figure);

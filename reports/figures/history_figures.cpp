@@ -1,5 +1,4 @@
-// Figures over time: the motion of the tank, the time series of every compared quantity, residuals
-// and the energy budget.
+// Figures over time: the time series of every compared quantity, residuals and the energy budget.
 //
 // Power spectra over the comparison window, with the frequencies that theory predicts.
 
@@ -15,6 +14,7 @@
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
 #include "reports/figures/run_looks.hpp"
+#include "reports/model/is_one_of.hpp"
 #include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/case_definition.hpp"
@@ -65,18 +65,6 @@ Curve shown_part(const std::string& label, const Spectrum& spectrum, double high
           {}};
 }
 
-reports::Curve sampled(const CaseDefinition& definition, const std::string& label,
-                       const std::function<double(double)>& motion, double scale) {
-  reports::Curve curve{label, {}, {}, {}, {}};
-  const long last = std::lround(definition.duration / definition.sample_interval);
-  for (long i = 0; i <= last; ++i) {
-    // Round-off must not take the last multiple of the interval past the end of a table.
-    curve.x.push_back(std::min(i * definition.sample_interval, definition.duration));
-    curve.y.push_back(scale * motion(curve.x.back()));
-  }
-  return curve;
-}
-
 // Adds the runs' curves with ribbons of their numerical uncertainty; returns whether any has one.
 bool add_curves(const CaseAssessment& assessment, const std::string& quantity,
                 const AxisScales& scales, Figure& figure) {
@@ -99,7 +87,8 @@ Figure history(const CaseAssessment& assessment, const std::string& quantity,
   const ShownQuantity shown = shown_quantity(definition, quantity);
   const std::vector<std::string> runs = finest_runs(assessment, quantity);
   Figure figure;
-  figure.id = case_id(definition.name) + "-" + id_of(quantity);
+  figure.id = case_id(definition.name) + "-" +
+              (quantity == compared_quantities(definition).front() ? "history" : id_of(quantity));
   figure.title = shown.title;
   figure.caption =
       axes.symbols +
@@ -167,6 +156,17 @@ double tolerated_residual(const CaseAssessment& assessment, const Comparison& co
   return 0;
 }
 
+// Those that gate rows judge; the first of a case without rows.
+std::vector<std::string> main_quantities(const CaseDefinition& definition) {
+  std::vector<std::string> quantities = compared_quantities(definition);
+  const std::string first = quantities.front();
+  std::erase_if(quantities, [&](const std::string& quantity) {
+    return std::none_of(definition.gate.begin(), definition.gate.end(),
+                        [&](const GateRow& row) { return row.quantity == quantity; });
+  });
+  return quantities.empty() ? std::vector<std::string>{first} : quantities;
+}
+
 }  // namespace
 
 Figure spectrum_figure(const CaseAssessment& assessment, const std::string& quantity,
@@ -225,48 +225,25 @@ std::vector<Figure> spectrum_figures(const CaseAssessment& assessment) {
   return figures;
 }
 
-std::vector<Figure> motion_figures(const CaseAssessment& assessment) {
+std::vector<Figure> main_histories(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  const auto roll = roll_motion(definition);
-  if (!roll) return {};
-  Figure angle;
-  angle.id = case_id(definition.name) + "-roll";
-  angle.title = "Roll of the tank";
-  angle.caption = fmt::format(
-      "Counter-clockwise about the point {:.3g} m from the left wall and {:.3g} m above the "
-      "bottom, as prescribed to every run.",
-      roll->axis_x, roll->axis_z);
-  angle.x_label = "time [s]";
-  angle.y_label = "roll [deg]";
-  angle.x_range = {0, definition.duration};
-  angle.curves = {sampled(definition, "roll", roll->angle, 1 / radians_per_degree)};
-  if (!definition.motion.surge) return {angle};
-  Figure surge = angle;
-  surge.id = case_id(definition.name) + "-surge";
-  surge.title = "Surge of the tank";
-  surge.caption = "Displacement of the roll axis and the tank, as prescribed to every run.";
-  surge.y_label = "surge [mm]";
-  surge.curves = {sampled(definition, "surge", surge_motion(definition).displacement, 1000)};
-  return {angle, surge};
-}
-
-std::vector<Figure> main_history(const CaseAssessment& assessment) {
-  const CaseDefinition& definition = assessment.definition;
-  const std::string quantity = compared_quantities(definition).front();
-  Figure figure = history(assessment, quantity, axes_with_units(definition, quantity));
-  figure.id = case_id(definition.name) + "-history";
-  if (figure.curves.empty()) return {};
-  return {figure};
+  std::vector<Figure> figures;
+  for (const std::string& quantity : main_quantities(definition)) {
+    Figure figure = history(assessment, quantity, axes_with_units(definition, quantity));
+    if (!figure.curves.empty()) figures.push_back(std::move(figure));
+  }
+  return figures;
 }
 
 std::vector<Figure> other_histories(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  const std::vector<std::string> main = main_quantities(definition);
   std::vector<Figure> figures;
-  std::vector<std::string> quantities = compared_quantities(assessment.definition);
-  quantities.erase(quantities.begin());
-  for (const std::string& quantity : quantities) {
-    Figure figure = history(assessment, quantity,
-                            axes_over_depth(assessment.definition, quantity)
-                                .value_or(axes_with_units(assessment.definition, quantity)));
+  for (const std::string& quantity : compared_quantities(definition)) {
+    if (is_one_of(quantity, main)) continue;
+    Figure figure = history(
+        assessment, quantity,
+        axes_over_depth(definition, quantity).value_or(axes_with_units(definition, quantity)));
     if (!figure.curves.empty()) figures.push_back(std::move(figure));
   }
   return figures;
@@ -285,8 +262,7 @@ std::vector<Figure> residual_figures(const CaseAssessment& assessment) {
       shown.word);
   figure.x_label = "time [s]";
   figure.y_label = fmt::format("residual [{}]", shown.unit);
-  figure.x_range = {0, definition.duration};
-  figure.spans = outside_window(definition);
+  figure.x_range = {definition.window_begin, definition.window_end};
   for (const Comparison* judging : shown_comparisons(assessment)) {
     Curve curve{judging->candidate + " - " + judging->reference,
                 judging->residual.time,
@@ -301,6 +277,8 @@ std::vector<Figure> residual_figures(const CaseAssessment& assessment) {
           {"tolerance, " + judging->candidate, -band, band, figure.curves.back().look});
   }
   if (figure.curves.empty()) return {};
+  let_most_set_scale(figure, [](const Curve& curve) { return farthest_from(0, curve); });
+  figure.caption += cut_off_text(figure);
   if (!figure.bands.empty()) figure.caption += " Bands show the rms residual that the gate allows.";
   return {figure};
 }

@@ -96,8 +96,7 @@ Figure frame(const CaseDefinition& definition, const std::vector<ToneRequest>& t
       sliding.length, periods_per_window, sliding.step,
       others.empty() ? "" : ", fitted together with " + others);
   figure.x_label = "midpoint of the window [s]";
-  figure.x_range = {0, definition.duration};
-  figure.spans = outside_window(definition);
+  figure.x_range = {definition.window_begin, definition.window_end};
   return figure;
 }
 
@@ -219,6 +218,12 @@ Figure phasor_figure(const CaseAssessment& assessment, const std::string& mode) 
   figure.x_label = "in phase, Re [1]";
   figure.y_label = "in quadrature, Im [1]";
   figure.equal_axes = true;
+  let_most_set_scale(figure,
+                     [](const Curve& curve) { return std::hypot(curve.x[0] - 1, curve.y[0]); });
+  for (const Curve& curve : figure.curves)
+    if (!curve.sets_scale)
+      figure.caption += fmt::format(" {} may lie outside of the frame, at {:.3g}, {:.3g}.",
+                                    curve.label, curve.x[0], curve.y[0]);
   return figure;
 }
 
@@ -246,6 +251,9 @@ std::vector<Figure> sliding_figures(const CaseAssessment& assessment) {
     add_band(definition, *pair, tones[0].name, Metric::phase_lag, 0, lag);
   }
   if (ratio.curves.empty()) return {};
+  let_most_set_scale(ratio, [](const Curve& curve) { return farthest_from(1, curve); });
+  let_most_set_scale(lag, [](const Curve& curve) { return farthest_from(0, curve); });
+  for (Figure* figure : {&ratio, &lag}) figure->caption += cut_off_text(*figure);
   return {ratio, lag};
 }
 

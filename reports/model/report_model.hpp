@@ -80,6 +80,7 @@ struct Figure {
   std::vector<Marker> markers;
   std::vector<Span> spans = {};
   bool equal_axes = false;  // a square with one scale for both axes, neither of them logarithmic
+  bool to_scale = false;    // one scale for both axes, whose ranges are given; as high as they take
   std::vector<std::pair<double, std::string>> x_ticks = {};  // place and label; empty: automatic
   std::pair<double, double> y_range{0, 0};  // of several figures with one scale; else automatic
   bool is_small = false;  // one of small multiples: its page draws one legend for them all
@@ -136,6 +137,7 @@ struct Table {
   // The reason behind each row, empty for none; as many as rows, or none at all. Pages fold it in
   // the row's last cell until it is asked for; what is printed shows it.
   std::vector<std::string> reasons = {};
+  bool is_folded = false;  // behind its title and the number of its rows, until it is asked for
 };
 
 struct Section {

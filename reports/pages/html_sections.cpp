@@ -74,6 +74,7 @@ class SectionWriter {
     data.set("paragraphs", paragraphs);
     data.set("tables", tables);
     data.set("figures", figures);
+    data.set("has_figures", section.figures.size() + section.fields.size() > 0);
     data.set("has_parts",
              section.tables.size() + section.figures.size() + section.fields.size() > 1);
     return data;
@@ -126,6 +127,8 @@ class SectionWriter {
     }
     data.set("header", header);
     data.set("rows", rows);
+    data.set("is_folded", table.is_folded);
+    data.set("rows_count", std::to_string(table.rows.size()));
     return data;
   }
 

@@ -117,11 +117,11 @@ reports::Page appendix_page(const CaseDefinition& definition) {
           page_of_case(definition.name)};
 }
 
-// Adds what the paper says beside our results, and its figures redrawn.
+// Adds what the paper says beside our results, to the first page, and its figures redrawn.
 void add_paper_sections(const Paper& paper, const std::vector<CaseAssessment>& cases,
-                        const reports::Report& report, std::vector<Section>& sections) {
+                        reports::Report& report, std::vector<Section>& sections) {
   PaperPanels panels = paper_panels(paper, cases, report.sections);
-  sections.push_back(paper_section(paper, cases, panels.redrawn));
+  report.sections.push_back(paper_section(paper, cases, panels.redrawn));
   if (panels.figures.empty()) return;
   sections.push_back({paper.name + "-figures",
                       "The paper's figures, redrawn",

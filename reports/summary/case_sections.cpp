@@ -129,7 +129,7 @@ Section gate_section(const CaseAssessment& assessment) {
   if (definition.gate.empty())
     section.paragraphs.push_back("No gate row judges this case.");
   else
-    section.tables = {gate_table(assessment)};
+    section.tables = gate_tables(assessment);
   add(remedy_table(assessment), section);
   add(failure_table(definition.name, assessment.runs.status), section);
   return section;
@@ -215,7 +215,8 @@ std::vector<Section> case_sections(const CaseAssessment& assessment,
   std::vector<Section> sections;
   Section summary = section_on(page_of_case(name), case_id(name) + "-summary", "Summary");
   summary.paragraphs = case_findings(assessment, coverage);
-  if (!summary.paragraphs.empty()) sections.push_back(std::move(summary));
+  summary.figures = {tank_figure(assessment.definition)};
+  sections.push_back(std::move(summary));
   sections.push_back(gate_section(assessment));
   sections.push_back(results_section(assessment));
   Section further =

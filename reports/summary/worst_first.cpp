@@ -99,7 +99,8 @@ reports::Decision decision_of(const std::vector<CaseAssessment>& cases,
                                    fmt::format("{} ({} % of the tolerance).", nearest->message,
                                                share_text(nearest->share))};
   }
-  if (rows.empty() || exit_status_of({rows.front().verdict}) != status)
+  if (rows.empty() || exit_status_of({rows.front().verdict}) != status ||
+      status == exit_solver_failed)
     return deciding_run(cases, problems);
   // interFoam is the reference of most rows: what a code under test does wrong is told first.
   const auto of_tested_code = std::find_if(rows.begin(), rows.end(), [&](const ShownRow& row) {

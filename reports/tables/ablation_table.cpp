@@ -7,7 +7,6 @@
 #include "reports/tables/case_tables.hpp"
 #include "reports/wording/report_places.hpp"
 #include "verification/case/ensemble.hpp"
-#include "verification/case/motion.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/series/interval_text.hpp"
 
@@ -102,17 +101,18 @@ std::string mode_cell(const Comparison& comparison, const std::string& name,
   return "";
 }
 
-// The first of several forced modes.
-std::string forced_mode_of(const Comparison& comparison) {
+// The first of several modes of a kind.
+std::string first_mode(const Comparison& comparison, const std::string& kind) {
   for (const ModeComparison& mode : comparison.modes)
-    if (is_forced(mode.mode)) return mode.mode;
-  return "forced";
+    if (mode.mode.starts_with(kind)) return mode.mode;
+  return kind;
 }
 
 std::vector<std::string> error_cells(const AblationRun& one, const AblationRun* plain) {
   if (!one.comparison) return {"", "", "", "", "", "", ""};
   const Comparison& comparison = *one.comparison;
-  const std::string forced = forced_mode_of(comparison);
+  const std::string forced = first_mode(comparison, "forced"),
+                    natural = first_mode(comparison, "natural");
   const bool same_reference =
       plain && plain->comparison && plain->comparison->reference == comparison.reference;
   return {comparison.reference,
@@ -122,8 +122,8 @@ std::vector<std::string> error_cells(const AblationRun& one, const AblationRun* 
               : "",
           mode_cell(comparison, forced, &ModeComparison::amplitude_error, 100),
           mode_cell(comparison, forced, &ModeComparison::phase_lag_degrees, 1),
-          mode_cell(comparison, "natural_1", &ModeComparison::frequency_error, 100),
-          mode_cell(comparison, "natural_1", &ModeComparison::decay_rate, 1)};
+          mode_cell(comparison, natural, &ModeComparison::frequency_error, 100),
+          mode_cell(comparison, natural, &ModeComparison::decay_rate, 1)};
 }
 
 std::vector<std::string> cost_cells(const AblationRun& one, const AblationRun* plain,

@@ -20,9 +20,9 @@ std::string metric_text(const GateRow& row);
 // Returns the reference's name, "published impacts" where these are the reference, or "none".
 std::string reference_text(const GateRow& row);
 
-// The result, the verdict and the reason of each gate row; each row has its anchor
-// (report_places.hpp).
-reports::Table gate_table(const CaseAssessment& assessment);
+// The result, the verdict and the reason of each gate row: those that do not pass or are in doubt,
+// worst first, then those that pass, folded. Each row has its anchor (report_places.hpp).
+std::vector<reports::Table> gate_tables(const CaseAssessment& assessment);
 
 // For each judged gate row on ensembles: how the metric scatters over the repeats of either side,
 // its mean and the interval that they give it (ensemble_mean.hpp).

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "reports/tables/case_tables.hpp"
 #include "reports/wording/case_text.hpp"
 #include "reports/wording/report_places.hpp"
+#include "verification/assessment/error_over_tolerance.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/evidence/refinement.hpp"
@@ -109,19 +111,33 @@ std::string reference_text(const GateRow& row) {
   return row.reference.empty() ? "none" : row.reference;
 }
 
-Table gate_table(const CaseAssessment& assessment) {
+std::vector<Table> gate_tables(const CaseAssessment& assessment) {
   const std::string& name = assessment.definition.name;
-  Table table{
+  Table first{
       case_id(name) + "-gate",
-      "Gate rows",
+      "Gate rows that do not pass, or are in doubt",
       "A row does not pass where a value is NaN, a series ends early, or the reference is "
       "missing or out of its range. The reason for a limit is told once where the rows that "
       "follow have the same, and at each judged row that does not pass.",
       {"verdict", "candidate", "reference", "metric", "result"},
       {}};
+  Table passing = first;
+  passing.id += "-passing";
+  passing.title = "Gate rows that pass";
+  passing.is_folded = true;
+  std::vector<std::size_t> worst_first(assessment.gate.size());
+  std::iota(worst_first.begin(), worst_first.end(), 0);
+  std::stable_sort(worst_first.begin(), worst_first.end(), [&](std::size_t a, std::size_t b) {
+    return severity(assessment.gate[a].verdict) > severity(assessment.gate[b].verdict);
+  });
   std::string last;
-  for (const GateOutcome& outcome : assessment.gate) {
-    table.row_ids.push_back(case_row_id(name, table.rows.size()));
+  for (const std::size_t i : worst_first) {
+    const GateOutcome& outcome = assessment.gate[i];
+    const bool is_plain =
+        outcome.verdict == Verdict::pass && outcome.remarks.find("doubtful") == std::string::npos;
+    Table& table = is_plain ? passing : first;
+    if (table.rows.empty()) last = "";
+    table.row_ids.push_back(case_row_id(name, i));
     table.rows.push_back({verdict_name(outcome.verdict), outcome.row.candidate,
                           reference_text(outcome.row), metric_text(outcome.row), outcome.message});
     const bool fails = is_judged(outcome.verdict) && outcome.verdict != Verdict::pass;
@@ -129,7 +145,9 @@ Table gate_table(const CaseAssessment& assessment) {
     table.reasons.push_back(reason == last && !fails ? "" : reason);
     last = reason;
   }
-  return table;
+  std::vector<Table> tables{std::move(first), std::move(passing)};
+  std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
+  return tables;
 }
 
 std::optional<Table> ensemble_table(const CaseAssessment& assessment) {

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "verification/case/case_definition.hpp"
+#include "verification/case/motion.hpp"
+#include "verification/case/motion/motion_times.hpp"
 #include "verification/case/solver_kinds.hpp"
 
 namespace slosh {
@@ -43,7 +45,51 @@ std::string found_forcing_text(const CaseDefinition& definition) {
       definition.window_begin, definition.window_end, 100 * definition.found_forcing->rest);
 }
 
+// By how much the curve through a table goes beyond its largest value, where it does.
+std::string overshoot_text(const MotionHistory& history, double position, double acceleration,
+                           double si_per_unit, const std::string& unit) {
+  const auto* table = std::get_if<TableMotion>(&history);
+  if (!table || table->largest == 0) return "";
+  const double reached = std::abs(table->of_accelerations ? acceleration : position),
+               beyond = reached / table->largest - 1;
+  if (beyond < 0.001) return "";
+  return fmt::format(
+      ", where the curve through the table goes {:.2g} % beyond its largest {}, {:.3g} {}{}",
+      100 * beyond, table->of_accelerations ? "acceleration" : "position",
+      table->largest / si_per_unit, unit, table->of_accelerations ? "/s2" : "");
+}
+
 }  // namespace
+
+MotionPeak peak_of(const CaseDefinition& definition, const std::function<double(double)>& motion) {
+  MotionPeak found{0, 0};
+  for (const double time : motion_times(definition, definition.sample_interval))
+    if (const double value = motion(time); std::abs(value) > std::abs(found.value))
+      found = {time, value};
+  return found;
+}
+
+std::string motion_peaks(const CaseDefinition& definition) {
+  std::string text;
+  const auto add = [&](const MotionHistory& history, const std::function<double(double)>& position,
+                       const std::function<double(double)>& speed,
+                       const std::function<double(double)>& acceleration, double si_per_unit,
+                       const char* unit) {
+    const auto largest = [&](const auto& motion) { return peak_of(definition, motion).value; };
+    const double x = largest(position), a = largest(acceleration);
+    text += fmt::format("; at most {0:.3g} {3}, {1:.3g} {3}/s and {2:.3g} {3}/s2{4}",
+                        std::abs(x) / si_per_unit, std::abs(largest(speed)) / si_per_unit,
+                        std::abs(a) / si_per_unit, unit,
+                        overshoot_text(history, x, a, si_per_unit, unit));
+  };
+  const SurgeMotion surge = surge_motion(definition);
+  if (definition.motion.surge)
+    add(*definition.motion.surge, surge.displacement, surge.velocity, surge.acceleration, 1, "m");
+  if (const auto roll = roll_motion(definition))
+    add(definition.motion.roll->angle, roll->angle, roll->rate, roll->acceleration,
+        radians_per_degree, "deg");
+  return text;
+}
 
 std::string motion_text(const CaseDefinition& definition) {
   const auto& [surge, roll] = definition.motion;

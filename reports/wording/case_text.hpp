@@ -1,6 +1,7 @@
 // A case in words, for reports and explanations.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "verification/case/case_definition.hpp"
@@ -9,6 +10,17 @@ namespace slosh {
 
 // Returns "surge X = 0.02 m sin(1.48346 rad/s t)" or "at rest".
 std::string motion_text(const CaseDefinition& definition);
+
+// The largest magnitude of a motion over the case's time [SI], with its sign.
+struct MotionPeak {
+  double time, value;
+};
+
+MotionPeak peak_of(const CaseDefinition& definition, const std::function<double(double)>& motion);
+
+// Returns "; at most 0.02 m, 0.03 m/s and 0.044 m/s2" for a surge, the same in degrees for a roll,
+// and by how much the curve through a table goes beyond it; "" for a tank at rest.
+std::string motion_peaks(const CaseDefinition& definition);
 
 // Returns "1 m long, 0.8 m high", "a polygon of 5 corners, 1 m long, 0.8 m high" or "a lying
 // cylinder of 1 m diameter, as a polygon of 128 corners".

@@ -62,6 +62,25 @@ void add_sensor(const PressureGaugeDefinition& gauge, bool of_filtered, ShownQua
   shown.what += sensor_text(gauge);
 }
 
+// A tank of many metres has elevations in m, and loads and pressures in thousands.
+void suit_the_size(const CaseDefinition& definition, ShownQuantity& shown) {
+  constexpr double long_tank = 5, large = 1e4;
+  const double depth = definition.liquid.fill_depth,
+               pressure = definition.liquid.density * definition.gravity * depth;
+  if (shown.unit == "mm" && definition.tank.length >= long_tank) {
+    shown.unit = "m";
+    shown.scale = 1;
+  }
+  for (const auto& [unit, still] : {std::pair{"Pa", pressure},
+                                    {"N/m", pressure * depth},
+                                    {"N", pressure * depth * definition.tank.length}})
+    if (shown.unit == unit && still >= large) {
+      shown.unit = std::string("k") + unit;
+      shown.scale *= 1e-3;
+      break;
+    }
+}
+
 std::string recorded_text(const CaseDefinition& definition, const PressureGaugeDefinition* filter) {
   return sampled(definition) + (filter ? "; then the same low-pass filter for all: " +
                                              low_pass_name(*filter->filter_cutoff) + "."
@@ -81,6 +100,7 @@ ShownQuantity shown_quantity(const CaseDefinition& definition, const std::string
                       .sph = known->sph,
                       .interfoam = known->interfoam,
                       .theory = known->theory};
+  suit_the_size(definition, shown);
   const bool of_filtered = is_filtered(quantity);
   const PressureGaugeDefinition* sensor = nullptr;
   if (known->at != MeasuredAt::tank) {

@@ -56,7 +56,7 @@ struct Particles {
   double lattice_spacing = 0;            // [m]
   // The values a step earlier; empty except with an integrator that carries them.
   Array<double> earlier_velocity_x, earlier_velocity_z, earlier_density;
-  // The velocities of the layers on the front and the back wall [m/s], x and z in turn
+  // The velocities of the layers on the gap walls [m/s], x and z in turn
   // (terms/gap_friction.hpp); empty without these walls.
   std::vector<Array<double>> layer_velocity;
 

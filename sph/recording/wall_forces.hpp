@@ -2,7 +2,7 @@
 // images or the particles that lie behind it, and to its repulsive particles. What lies behind two
 // walls, beyond a corner, acts normal to each: its x component counts for the side wall and its z
 // component for the bottom or the roof. The forces of the four walls thus add up to that on the
-// tank, less those of obstacles within the tank and the friction of the front and the back wall.
+// tank, less those of obstacles within the tank and the friction of the gap walls.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The friction of a narrow tank's front and back wall, which a solver in two dimensions does not
+// The friction of a narrow tank's gap walls, which a solver in two dimensions does not
 // see. The velocity v of a particle is the mean over the gap between the walls, relative to them:
 //   dv/dt = ... - steady_friction v - sum_n friction_n (v - m_n)
 // Each particle carries the velocities m_n of its boundary layers (gap_layers.hpp), in components

@@ -1,4 +1,4 @@
-// The boundary layers on the front and the back wall of a narrow tank, the gap b apart. In a
+// The boundary layers on the gap walls of a narrow tank, the gap b apart. In a
 // laminar flow between them with the mean velocity v over the gap, the walls' stress slows the
 // liquid down by the force per mass (Landau & Lifshitz 1987, section 24, problem 6, in Laplace's
 // variable s)

@@ -13,7 +13,7 @@
 
 namespace slosh::sph {
 
-// The most that the friction of the front and the back wall may take of a velocity in a step
+// The most that the friction of the gap walls may take of a velocity in a step
 // (terms/gap_friction.hpp).
 inline constexpr double largest_friction_per_step = 0.1;
 
@@ -28,10 +28,10 @@ struct FixedStep {
   explicit FixedStep(const Setting& s) {
     if (const double friction = gap_layers(s).largest_friction();
         friction * step > largest_friction_per_step)
-      throw std::invalid_argument(fmt::format(
-          "breadth = {:.4g} m, where the friction of the front and the back wall is {:.4g} 1/s: "
-          "expected at most {:.4g} 1/s with the scheme's fixed time step",
-          s.breadth, friction, largest_friction_per_step / step));
+      throw std::invalid_argument(
+          fmt::format("breadth = {:.4g} m, where the friction of the gap walls is {:.4g} 1/s: "
+                      "expected at most {:.4g} 1/s with the scheme's fixed time step",
+                      s.breadth, friction, largest_friction_per_step / step));
   }
   double operator()(double, double) const { return step; }
 };
@@ -43,7 +43,7 @@ struct FixedStep {
 // & Zhu is 0.125. On a square lattice the largest eigenvalue of the pair sum is 24.1 nu / h^2
 // (Kaiser-Bessel, h = 1.5 dp; quintic 23.1), with which an explicit step is stable up to 0.083 h^2
 // / nu. With the quintic the wave of Re = 50 at 10 mm was unstable at 0.107 together with a Courant
-// number of 0.8. The friction of front and back wall limits the step too.
+// number of 0.8. The friction of gap walls limits the step too.
 struct AdaptiveStep {
   static constexpr bool adapts = true;
   static constexpr double viscous_number = 0.0625;  // nu dt / h^2

@@ -21,7 +21,16 @@ TEST(ExpectedSpeed, IsTheLongWavesPlusTheTanksLargest) {
   const double wave = std::sqrt(9.81 * 0.35);
   EXPECT_NEAR(expected_speed(still_scene(dp, 2)), wave, 1e-12);
   EXPECT_NEAR(expected_speed(surging_scene(dp, 2)), wave + 0.02 * surge_frequency, 1e-12);
-  EXPECT_NEAR(expected_speed(carried_scene(dp, 2, -0.5)), wave + 0.5, 1e-12);
+}
+
+TEST(ExpectedSpeed, IsThatOfStillWaterWhereTheTankAndTheLiquidMoveTogether) {
+  const double wave = std::sqrt(9.81 * 0.35);
+  Scene scene = carried_scene(dp, 2, -15);
+  EXPECT_NEAR(expected_speed(scene), wave, 1e-12);
+  scene.velocity = [](double t) { return t > 1 ? -13.0 : -15.0; };
+  EXPECT_NEAR(expected_speed(scene), wave + 2, 1e-12) << "as much as it brakes";
+  scene.start = Start::earth;
+  EXPECT_NEAR(expected_speed(scene), wave + 15, 1e-12) << "the walls strike liquid at rest";
 }
 
 TEST(ExpectedSpeed, IsTwiceTheLongWavesWhereADamBreaks) {

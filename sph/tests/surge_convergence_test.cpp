@@ -119,7 +119,7 @@ double decay_with(const char* variant, double kinematic_viscosity) {
 
 // The Stokes layers at the walls add
 //   sqrt(nu omega / 2) (1 / L + k (1 - 2 h / L) / sinh(2 k h))
-// to the decay rate, without the front and the back wall (Keulegan 1959, J. Fluid Mech. 6, 33-50).
+// to the decay rate, without the gap walls (Keulegan 1959, J. Fluid Mech. 6, 33-50).
 // They are 2.8 spacings thick. Measured: 1.47 times this, and 1.26 times in layers of 5.7 spacings
 // (nu = 8e-3).
 TEST(NoSlipLaminar, DampsTheFirstModeByItsStokesLayersToo) {

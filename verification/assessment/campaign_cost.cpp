@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "verification/case/solver_kinds.hpp"
 
 namespace slosh {
@@ -17,21 +19,23 @@ std::string duration_text(double seconds) {
 CampaignCost campaign_cost(const std::vector<CaseAssessment>& cases,
                            const std::vector<ProblemAssessment>& problems) {
   CampaignCost all;
-  const auto add = [&](const RunCost& cost) {
+  std::set<std::string> counted;  // the keys: two cases may share a run
+  const auto add = [&](const auto& result) {
+    if (!counted.insert(result.key).second) return;
     ++all.results;
-    all.core_seconds += cost.core_seconds();
+    all.core_seconds += result.cost.core_seconds();
   };
   for (const CaseAssessment& one : cases) {
     for (const RunDefinition& run : one.definition.runs)
       if (const auto result = one.runs.results.find(run.name);
-          result != one.runs.results.end() && !is_stored(run))
-        add(result->second.cost);
+          result != one.runs.results.end() && !is_stored(run) && !is_record(run))
+        add(result->second);
     for (const auto& [input, bounds] : one.runs.input_bounds)
       for (const RunResult* bound : {&bounds.lower, &bounds.upper})
-        if (!bound->key.empty()) add(bound->cost);  // a run's, and not the prediction of a theory
+        if (!bound->key.empty()) add(*bound);  // a run's, and not the prediction of a theory
   }
   for (const ProblemAssessment& one : problems)
-    if (one.run.result) add(one.run.result->cost);
+    if (one.run.result) add(*one.run.result);
   return all;
 }
 
@@ -40,9 +44,9 @@ std::string cost_sentence(const std::vector<CaseAssessment>& cases,
   const CampaignCost all = campaign_cost(cases, problems);
   if (all.results == 0) return "";
   return fmt::format(
-      "The campaign cost {:.{}f} core-seconds ({}). This is the sum over its runs and problems, {} "
-      "in "
-      "all, each measured when it was made.",
+      "The results of the campaign cost {:.{}f} core-seconds ({}). This is the sum over its runs "
+      "and "
+      "problems, {} in all, each measured when it was made.",
       all.core_seconds, all.core_seconds < 100 ? 1 : 0, duration_text(all.core_seconds),
       all.results);
 }

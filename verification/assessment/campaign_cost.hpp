@@ -10,8 +10,9 @@
 namespace slosh {
 
 struct CampaignCost {
-  std::size_t results =
-      0;  // of runs and problems; those of other codes that are stored do not count
+  // Of runs and problems, a run that two cases share once; records and the stored results of other
+  // codes do not count.
+  std::size_t results = 0;
   double core_seconds = 0;  // [s] user and system time of all processes
 };
 
@@ -20,8 +21,8 @@ struct CampaignCost {
 CampaignCost campaign_cost(const std::vector<CaseAssessment>& cases,
                            const std::vector<ProblemAssessment>& problems);
 
-// "The campaign cost 10608 core-seconds (2.9 hours). This is the sum over its runs and problems,
-// 153 in all, each measured when it was made.", or "" where nothing left a result.
+// "The results of the campaign cost 10608 core-seconds (2.9 hours). This is the sum over its runs
+// and problems, 153 in all, each measured when it was made.", or "" where nothing left a result.
 std::string cost_sentence(const std::vector<CaseAssessment>& cases,
                           const std::vector<ProblemAssessment>& problems);
 

@@ -35,11 +35,13 @@ Measures measures_of(const Comparison& comparison) {
   Measures measures;
   measures.rms = comparison.normalised_rms;
   for (const ModeComparison& mode : comparison.modes) {
-    if (mode.mode != "natural_1" || !mode.resolved()) continue;
+    if (!mode.mode.starts_with("natural")) continue;
+    if (!mode.resolved()) break;
     measures.frequency_error = mode.frequency_error;
     const Estimate& own = mode.decay_rate;
     const Estimate& exact = mode.reference.decay_rate;
     measures.decay_excess = {own.value - exact.value, std::hypot(own.half_width, exact.half_width)};
+    break;  // after the lowest
   }
   return measures;
 }

@@ -28,8 +28,9 @@ struct Corner {
 struct TankDefinition {
   double length;  // [m], along x
   double height;  // [m], roof above bottom
-  // [m] From front wall to back wall. Given, it makes SPH, interFoam and interIsoFoam count the
-  // friction of these walls (gap_friction.hpp), which they do not see otherwise.
+  // [m] Between the gap walls, which are parallel to the section. Given, it makes SPH, interFoam
+  // and interIsoFoam count the friction of these walls (gap_friction.hpp), which they do not see
+  // otherwise.
   std::optional<double> breadth = {};
   // The corners of a tank that is no rectangle, counter-clockwise: a simple polygon that each
   // horizontal line meets in one piece (outline.hpp). Length and height are then those of the
@@ -85,6 +86,8 @@ struct SumOfSines {
 struct TableMotion {
   std::filesystem::path file;
   std::vector<double> time, value;  // [s]; [m], or [rad]
+  bool of_accelerations = false;    // whether the file holds these, and not positions
+  double largest = 0;               // the largest magnitude in the file during the case [SI]
 };
 
 using MotionHistory = std::variant<SineMotion, SumOfSines, TableMotion>;
@@ -216,7 +219,7 @@ struct InterFoamRun {
   // [m], of the cells beside the walls, from where they grow to uniform ones in the middle. Without
   // it all cells are uniform.
   std::optional<double> wall_cell = {};
-  // Across half of the gap between the front and the back wall of a narrow tank, which is then
+  // Across half of the gap of a narrow tank, which is then
   // solved in three dimensions. Without it the case is one in two, with the friction of these walls
   // as that of a porous medium.
   std::optional<int> cells_y = {};
@@ -403,7 +406,7 @@ struct GateRow {
   std::string candidate, reference;  // run names; empty: the metric needs no reference
   // One of compared_quantities(). A metric of the candidate alone takes any series of its result.
   std::string quantity;
-  // "forced", "natural_1", "natural_2", ... (natural_modes() in quantities.hpp, lowest first),
+  // "forced", "natural_1", "natural_3", ... (natural_modes() in quantities.hpp, lowest first),
   // "impact_1", "impact_2", ... (the published ones), or "whole"
   std::string mode;
   Metric metric;

@@ -1,4 +1,4 @@
-// The friction of a narrow tank's front and back wall, which interFoam in two dimensions does not
+// The friction of a narrow tank's gap walls, which interFoam in two dimensions does not
 // see.
 // Between two parallel walls the gap b apart, the mean velocity v over the gap of a laminar flow
 // that oscillates as exp(i omega t) follows from the force f per mass that drives it (Landau &

@@ -68,7 +68,12 @@ const std::vector<KeyTable>& case_key_tables() {
             "mostly noise is doubted."},
            {"time_offset_s", number("s"), no,
             "Added to the times of a table's file: with -12.5 the file's 12.5 s are the case's 0 "
-            "s. Refused with a sine. Default: 0."}}),
+            "s. Refused with a sine. Default: 0."},
+           {"segments", one_of({"spline", "straight"}), no,
+            "How a table of accelerations goes from point to point. A spline overshoots where the "
+            "acceleration has corners, as at the begin and the end of braking, and `explain` tells "
+            "by how much; straight segments do not. Refused with a sine, and \"straight\" with "
+            "positions. Default: \"spline\"."}}),
       key_table("surge.sines", "[[motion.surge.sines]]", "with type = \"sines\"",
                 "The motion is the sum of two sines or more, each with its own ramp. They read "
                 "best as one list, which may run over several lines: `sines = [{ amplitude_m = "
@@ -98,6 +103,7 @@ const std::vector<KeyTable>& case_key_tables() {
             "A CSV file with the columns time_s,angle_deg, from the time and the angle 0 to "
             "duration_s or beyond, or with time_s,acceleration_deg_s2. The same as for a surge."},
            {"time_offset_s", number("s"), no, "The same as for a surge."},
+           {"segments", one_of({"spline", "straight"}), no, "The same as for a surge."},
            {"axis_x_m", number("m from the left wall"), yes, "Within 1000 tank lengths."},
            {"axis_z_m", number("m from the bottom"), yes, "Within 1000 tank lengths."}}),
       key_table("roll.sines", "[[motion.roll.sines]]", "with type = \"sines\"",

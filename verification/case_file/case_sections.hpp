@@ -125,8 +125,9 @@ MotionDefinition read_motion(const TomlTable& motion, const CaseDefinition& defi
 // A motion's CSV file.
 struct TableFile {
   std::filesystem::path file;
-  double duration;     // of the case [s], for which the motion must last
-  double time_offset;  // added to the file's times [s]
+  double duration;        // of the case [s], for which the motion must last
+  double time_offset;     // added to the file's times [s]
+  bool straight = false;  // between accelerations, in place of a spline
 };
 
 // Read a motion from a CSV file of positions, whose first line is "time_s,displacement_m" (surge)

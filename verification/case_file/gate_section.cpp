@@ -39,7 +39,8 @@ std::vector<std::string> fitted_to(const std::string& quantity, const CaseDefini
   if (!has_modes(quantity)) return {};
   std::vector<std::string> modes;
   for (const ForcedMode& forced : forced_modes(definition)) modes.push_back(forced.name);
-  for (int n = 1; n <= definition.natural_modes; ++n) modes.push_back(fmt::format("natural_{}", n));
+  for (const int n : natural_modes(definition, definition.natural_modes))
+    modes.push_back(fmt::format("natural_{}", n));
   return modes;
 }
 

@@ -3,7 +3,7 @@
 // the keys of a single row, so that what reads rows knows nothing of groups.
 //
 //   candidates = ["recommended_*", "interfoam_50x50"]      a row for each run that is matched
-//   modes = ["natural_1", "natural_2"]                     and for each mode
+//   modes = ["natural_1", "natural_3"]                     and for each mode
 //   limits.amplitude_error = 0.05                          and for each metric: its limit,
 //   limits.phase_lag = { limit = 5, reason = "..." }       or the keys that are its own
 #pragma once

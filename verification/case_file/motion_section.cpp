@@ -28,16 +28,33 @@ constexpr double level_angle = 1e-3;
 // at the time 0. Over an interval of the length h between the values a, b with the spline's second
 // derivatives m, n,
 //   velocity + h (a + b)/2 - h^3 (m + n)/24,
-//   position + h velocity + h^2 (2 a + b)/6 - h^4 (8 m + 7 n)/360.
-TableMotion integrated(const TableMotion& accelerations) {
+//   position + h velocity + h^2 (2 a + b)/6 - h^4 (8 m + 7 n)/360,
+// or with m = n = 0 the straight segments through them. The cubic spline through the positions then
+// has these accelerations exactly: it has no knot at its second and its last but one point, which
+// are put amid the first and the last segment.
+TableMotion integrated(const TableMotion& accelerations, bool straight) {
   const CubicSpline spline(accelerations.time, accelerations.value);
+  const auto on_segment = [&](double t) {
+    const std::vector<double>&time = accelerations.time, &value = accelerations.value;
+    const auto after = std::upper_bound(time.begin() + 1, time.end() - 1, t) - time.begin();
+    const auto i = static_cast<std::size_t>(after);
+    return value[i - 1] + (value[i] - value[i - 1]) * (t - time[i - 1]) / (time[i] - time[i - 1]);
+  };
+  std::vector<double> times = accelerations.time;
+  if (straight) {
+    const auto first = std::upper_bound(times.begin(), times.end(), 0.0);
+    times.insert(first, *first / 2);
+    times.insert(times.end() - 1, (times.back() + times[times.size() - 2]) / 2);
+  }
   TableMotion motion{accelerations.file, {0}, {0}};
   double velocity = 0, position = 0;
-  for (const double t : accelerations.time) {
+  for (const double t : times) {
     const double start = motion.time.back(), h = t - start;
     if (!(h > 1e-9 * shortest_table_step)) continue;
-    const double a = spline.value(start), b = spline.value(t);
-    const double m = spline.second_derivative(start), n = spline.second_derivative(t);
+    const double a = straight ? on_segment(start) : spline.value(start),
+                 b = straight ? on_segment(t) : spline.value(t),
+                 m = straight ? 0 : spline.second_derivative(start),
+                 n = straight ? 0 : spline.second_derivative(t);
     position += h * velocity + h * h * (2 * a + b) / 6 - h * h * h * h * (8 * m + 7 * n) / 360;
     velocity += h * (a + b) / 2 - h * h * h * (m + n) / 24;
     motion.time.push_back(t);
@@ -68,10 +85,16 @@ TimeTable read_rows(const TableFile& table, const std::string& position,
   return rows;
 }
 
-TableMotion motion_of(const std::filesystem::path& file, const TimeTable& rows) {
-  TableMotion motion{file, rows.time, rows.value};
-  if (rows.column.starts_with("acceleration")) motion = integrated(motion);
-  return thinned(motion, shortest_table_step);
+TableMotion motion_of(const TableFile& table, const TimeTable& rows) {
+  const bool of_accelerations = rows.column.starts_with("acceleration");
+  TableMotion motion{table.file, rows.time, rows.value};
+  if (of_accelerations) motion = integrated(motion, table.straight);
+  motion = thinned(motion, shortest_table_step);
+  motion.of_accelerations = of_accelerations;
+  for (std::size_t i = 0; i < rows.time.size(); ++i)
+    if (rows.time[i] >= 0 && rows.time[i] <= table.duration)
+      motion.largest = std::max(motion.largest, std::abs(rows.value[i]));
+  return motion;
 }
 
 const TableMotion* surge_table(const MotionDefinition& motion) {
@@ -173,9 +196,15 @@ MotionHistory read_history(const TomlTable& table, const HistoryForm& form,
   table.allow_only(keys_of(form.table));
   const std::string type = table.choice("type", "a motion", {"sine", "sines", "table"});
   if (type == "table") {
-    allow({"type", "file", "time_offset_s"});
-    return form.read_table(
-        {file_beside(table, scope.case_file), scope.duration, read_time_offset(table)});
+    allow({"type", "file", "time_offset_s", "segments"});
+    const bool straight =
+        table.has("segments") &&
+        table.choice("segments", "a way between points", {"spline", "straight"}) == "straight";
+    const TableMotion motion = form.read_table(
+        {file_beside(table, scope.case_file), scope.duration, read_time_offset(table), straight});
+    if (straight && !motion.of_accelerations)
+      table.refuse("segments", "\"spline\" for a table of positions, whose corners would be blows");
+    return motion;
   }
   if (type == "sines") {
     allow({"type", "sines"});
@@ -230,7 +259,7 @@ RollDefinition read_roll(const TomlTable& roll, const TableScope& scope, double 
 }  // namespace
 
 TableMotion read_surge_table(const TableFile& table) {
-  return motion_of(table.file, read_rows(table, "displacement_m", "acceleration_m_s2"));
+  return motion_of(table, read_rows(table, "displacement_m", "acceleration_m_s2"));
 }
 
 TableMotion read_roll_table(const TableFile& table) {
@@ -239,7 +268,7 @@ TableMotion read_roll_table(const TableFile& table) {
     throw table_error(table.file, rows.lines[row], rows.column, fmt::format("{}", rows.value[row]),
                       expected);
   };
-  TableMotion motion = motion_of(table.file, rows);
+  TableMotion motion = motion_of(table, rows);
   const auto after = std::upper_bound(rows.time.begin(), rows.time.end(), 0.0);
   if (!(std::abs(motion.value.front()) <= level_angle))
     refuse(static_cast<std::size_t>(after - rows.time.begin()) - 1,
@@ -251,6 +280,7 @@ TableMotion read_roll_table(const TableFile& table) {
       refuse(std::min(row, rows.value.size() - 1),
              fmt::format("angles from -{0} to {0}, in deg", largest_angle));
   for (double& angle : motion.value) angle *= radians_per_degree;
+  motion.largest *= radians_per_degree;
   return motion;
 }
 

@@ -119,11 +119,11 @@ void refuse_cells_y(const TomlTable& run, const CaseDefinition& definition, bool
     run.refuse("cells_y", "no_slip = true beside it: the liquid sticks to the walls of the gap");
 }
 
-// Throws for a solver without friction, of a tank whose front and back wall cause it.
+// Throws for a solver without friction, of a tank whose gap walls cause it.
 void refuse_breadth(const TomlTable& run, const CaseDefinition& definition) {
   if (definition.tank.breadth)
     run.refuse("solver",
-               "a solver that counts the friction of the front and the back wall, one of sph, "
+               "a solver that counts the friction of the gap walls, one of sph, "
                "interfoam and interisofoam, and with cells_y compressible_interfoam, where [tank] "
                "has breadth_m");
 }
@@ -445,12 +445,12 @@ const FieldTable<InterFoamRun> interfoam_table{
      field(
          "cells_y", &InterFoamRun::cells_y, integer().from(4, 1000), no,
          "Solves a narrow tank in three dimensions: the number of cells across half of breadth_m, "
-         "from the front wall to a plane of symmetry. They grow from wall_cell_m at the wall, each "
+         "from a gap wall to a plane of symmetry. They grow from wall_cell_m at the wall, each "
          "at most twice as thick as the one before; without that the last is seven times as thick "
          "as the first. It needs breadth_m and no_slip = true. Elevations are means over the gap, "
          "pressures, probes and fields are those in its middle, and loads stay per metre of "
          "breadth. Refused with an obstacle, outline_m or diameter_m. Default: two dimensions, "
-         "with the friction of the front and the back wall as that of a porous medium."),
+         "with the friction of the gap walls as that of a porous medium."),
      field("start_disorder", &InterFoamRun::start_disorder, number("cell heights").from(0, 0.2), no,
            "The still level is disturbed by up to this much. Only a plain level can be disturbed: "
            "not a dam, an initial wave or a tank with obstacles."),

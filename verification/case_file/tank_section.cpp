@@ -187,7 +187,8 @@ const FieldTable<TankDefinition> tank_table{
        "The diameter of a lying cylinder. The tank is a regular polygon of 128 corners, flat at "
        "the bottom, with the area of the circle; its length and height are 0.9999 diameters."}},
      field("breadth_m", &TankDefinition::breadth, number("m").above(0), no,
-           "The inner breadth of a narrow tank, from the front to the back wall. With it, SPH, "
+           "The inner breadth of a narrow tank, between the two gap walls, which are parallel to "
+           "the section. With it, SPH, "
            "interFoam and interIsoFoam count the friction of these two walls, which they do not "
            "see otherwise; the theories and compressibleInterFoam, which have no friction there, "
            "are refused, but for a run of the latter in three dimensions (cells_y). Beside "
@@ -314,10 +315,9 @@ void refuse_breadth_of_outline(const TomlTable& root, const CaseDefinition& defi
       forcing_frequency(definition) > 0)
     return;
   root.table("tank").refuse(
-      "breadth_m",
-      "no breadth_m beside " + outline_key(definition) +
-          " unless the motion has a single frequency, which the friction of the front and the back "
-          "wall depends on (a table names one by forcing_period_s in [comparison])");
+      "breadth_m", "no breadth_m beside " + outline_key(definition) +
+                       " unless the motion has a single frequency, which the friction of the gap "
+                       "walls depends on (a table names one by forcing_period_s in [comparison])");
 }
 
 Rule<int> modes_of_outline(const CaseDefinition& definition) {

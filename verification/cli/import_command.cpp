@@ -105,7 +105,8 @@ std::vector<std::filesystem::path> all_files(const ImportOptions& options) {
   for (const std::filesystem::path& file : options.files) {
     const std::vector<std::filesystem::path> parts = series_files(file);
     if (parts.empty())
-      throw CaseFileError(fmt::format("file = {}: expected a file; there is none", file.string()));
+      throw CaseFileError(
+          fmt::format("file = {}: expected a file; {}", file.string(), no_file_at(file)));
     all.insert(all.end(), parts.begin(), parts.end());
   }
   return all;

@@ -80,9 +80,8 @@ std::vector<ToneRequest> modes_of(const CaseDefinition& definition, int count) {
   std::vector<ToneRequest> modes;
   for (const ForcedMode& forced : forced_modes(definition))
     modes.push_back({forced.name, forced.angular_frequency, false});
-  int number = 0;
-  for (const double frequency : excited_frequencies(definition, count))
-    modes.push_back({fmt::format("natural_{}", ++number), frequency, true});
+  for (const auto& [number, frequency] : excited_frequencies(definition, count))
+    modes.push_back({fmt::format("natural_{}", number), frequency, true});
   return modes;
 }
 

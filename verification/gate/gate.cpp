@@ -243,8 +243,9 @@ std::optional<std::pair<Verdict, std::string>> obstacle_to(
   }
   for (const Obstacle& one : obstacles)
     for (const auto& [role, run] : needed)
-      if (runs.at(run).state == one.state)
-        return obstacle_of(fmt::format("the {} {}", role, run), runs.at(run));
+      if (runs.at(run).state == one.state)  // why a run failed is told of the run, once
+        return obstacle_of(fmt::format("the {} {}", role, run),
+                           one.state == RunState::failed ? RunStatus{one.state, ""} : runs.at(run));
   return std::nullopt;
 }
 

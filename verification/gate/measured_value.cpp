@@ -286,8 +286,22 @@ std::string met_by_nothing(const GateRow& row, const Comparison& pair) {
              : "";
 }
 
+// What one would look for first: a series in mm or kPa, or one of the other direction.
+std::string mistaken_text(const Comparison& pair) {
+  const double ratio = pair.candidate_wave.deviation / pair.reference_wave.deviation;
+  if (!(ratio > 0) || std::isinf(ratio) || pair.residual.time.size() < 2) return "";
+  const double apart = normalised_rms_without_offset(pair),
+               correlation = (ratio * ratio + 1 - apart * apart) / (2 * ratio);
+  std::string text;
+  if (std::abs(std::abs(std::log10(ratio)) - 3) < 0.3)
+    text = fmt::format("; unit? the candidate's swing is {:.3g} times the reference's", ratio);
+  if (correlation < -0.9) text += "; sign? the candidate is the reference turned over";
+  return text;
+}
+
 void add_doubts_of_pairs(const GateRow& row, const GateEvidence& evidence, RowDoubts& found) {
   const Comparison *unseen = nullptr, *barest = nullptr;
+  std::string mistaken;
   std::vector<std::string> doubtful;
   for (const std::string& candidate : ensemble_of(row.candidate, evidence).members)
     for (const std::string& reference : reference_of(row, evidence).members) {
@@ -295,12 +309,14 @@ void add_doubts_of_pairs(const GateRow& row, const GateEvidence& evidence, RowDo
       if (pair.unseen && !(unseen && unseen->unseen->departure >= pair.unseen->departure))
         unseen = &pair;
       if (doubtful.empty()) doubtful = reading_doubts(row, pair);
+      if (mistaken.empty()) mistaken = mistaken_text(pair);
       if (!barest || pair.covered < barest->covered) barest = &pair;
     }
   if (unseen && metric_entry(row.metric).fitted == FittedTones::none)
     add_doubt(unseen_text(*unseen->unseen, unseen->unit), found);
   if (const std::string met = met_by_nothing(row, *barest); !met.empty()) doubtful.push_back(met);
   add_doubtful(doubtful, found);
+  found.text += mistaken;
   add_coverage(barest->covered, found);
 }
 

@@ -228,7 +228,7 @@ ImportedSeries import_series(const SeriesSource& source,
 ImportedSeries import_with_seams(const SeriesSource& source) {
   require_known_form(source);
   const std::vector<std::filesystem::path> files = series_files(source.file);
-  if (files.empty()) refuse("", "file", source.file.string(), "a file; there is none");
+  if (files.empty()) refuse("", "file", source.file.string(), "a file; " + no_file_at(source.file));
   return import_series(source, files);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "verification/input/tables/series_files.hpp"
 #include "verification/input/tables/table_rows.hpp"
 
 namespace slosh {
@@ -51,7 +52,7 @@ std::vector<ParticlesAt> read_rows(TableReader& reader, const TableHead& head,
 std::vector<ParticlesAt> read_particle_table(const std::filesystem::path& file,
                                              const ParticleColumns& columns) {
   if (!std::filesystem::is_regular_file(file))
-    throw CaseFileError("file = " + file.string() + ": expected a file; there is none");
+    throw CaseFileError("file = " + file.string() + ": expected a file; " + no_file_at(file));
   TableReader reader(file);
   return read_rows(reader, find_head(reader, {columns.time, columns.x, columns.z}), columns);
 }

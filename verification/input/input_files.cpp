@@ -111,8 +111,8 @@ fs::path find_definition_file(std::string_view kind, const std::string& name_or_
                                  : plain_path(base / name_or_path);
   if (std::error_code lost; fs::is_regular_file(file, lost)) return file;
   if (is_path)
-    throw CaseFileError(fmt::format("{} = \"{}\": expected a file; there is no {}", kind,
-                                    name_or_path, file.string()));
+    throw CaseFileError(
+        fmt::format("{} = \"{}\": expected a file; {}", kind, name_or_path, no_file_at(file)));
   constexpr std::size_t suggestions = 3;  // enough to choose from, few enough to read
   throw CaseFileError(
       fmt::format("{} = \"{}\": expected a path or a name in {}; nearest: {}", kind, name_or_path,
@@ -140,8 +140,7 @@ bool is_data_of(const fs::path& case_file, const fs::path& file) {
 void require_data_file(const TomlTable& table, const char* key, const fs::path& file,
                        const fs::path& case_file) {
   const std::vector<fs::path> parts = series_files(file);
-  if (parts.empty())
-    table.refuse(key, "a file relative to the case file; there is no " + file.string());
+  if (parts.empty()) table.refuse(key, "a file relative to the case file; " + no_file_at(file));
   for (const fs::path& part : parts)
     if (!is_data_of(case_file, part))
       table.refuse(key, fmt::format("a file below {}, links followed, and not a hidden one",

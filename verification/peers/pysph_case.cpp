@@ -22,8 +22,7 @@ void require_for_pysph(const HandedCase& handed) {
   if (!definition.obstacles.empty()) refuse("obstacle", "a tank without obstacles");
   if (definition.liquid.column_width)
     refuse("liquid.column_width_m", "a liquid that fills the tank from wall to wall");
-  if (definition.tank.breadth)
-    refuse("tank.breadth_m", "a tank whose front and back walls do not count");
+  if (definition.tank.breadth) refuse("tank.breadth_m", "a tank whose gap walls do not count");
   if (definition.gauges.empty())
     throw CaseFileError(definition.file.string() +
                         ": gauge: expected at least one [[gauge]], for PySPH");

@@ -95,6 +95,20 @@ TEST_F(CampaignEngine, TellsWhatItWouldDoAndStartsNothing) {
   EXPECT_NE(kept.out.find("12 timings one after another"), std::string::npos) << kept.out;
 }
 
+TEST_F(CampaignEngine, CountsWhatTwoCasesShareOnceBeforeItStarts) {
+  write_swept("[timing]\nrepeats = 2\n");
+  write("twin.toml", with(read("small.toml"), "name = \"small\"", "name = \"twin\""));
+  write("surges.toml",
+        with(read("surges.toml"), "cases = [\"small\"]", "cases = [\"small\", \"twin\"]"));
+  const Ended told = tool({"campaign", "./surges.toml", "--output", "out", "--dry-run"});
+  EXPECT_EQ(told.status, 0) << told.err;
+  EXPECT_EQ(count(told.out, "kept     twin/"), 6) << told.out;
+  EXPECT_NE(
+      told.out.find("6 kept, 6 to run, 0 left out; 6 of unknown cost, not counted; 12 timings"),
+      std::string::npos)
+      << told.out;
+}
+
 TEST_F(CampaignEngine, ResumesOnlyWhatWasStarted) {
   write_swept();
   const Ended none = tool({"campaign", "./surges.toml", "--output", "out", "--resume"});

@@ -31,7 +31,7 @@ TEST_F(Tool, PassesACampaignAndComputesNothingTwice) {
   const Ended first = campaign();
   EXPECT_EQ(first.status, 0) << first.err << first.out;
   EXPECT_TRUE(holds(first.out, mesh ? "2 of 2 gate rows hold." : "1 of 1 gate rows"));
-  EXPECT_TRUE(holds(first.out, "\nThe campaign cost "));
+  EXPECT_TRUE(holds(first.out, "\nThe results of the campaign cost "));
   EXPECT_TRUE(holds(first.out, "report: " + (report() / "index.html").string()));
   EXPECT_TRUE(holds(first.err, "finished small/particles"));
   EXPECT_EQ((first.out + first.err).find('\033'), std::string::npos) << "an escape code";

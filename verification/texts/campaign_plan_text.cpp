@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
+
 #include "verification/campaign/campaign_plan.hpp"
 #include "verification/files/shell_word.hpp"
 
@@ -27,6 +29,7 @@ struct Sums {
   int kept = 0, left_out = 0, to_run = 0, timings = 0, unknown = 0;
   double processor_time = 0, alone = 0;  // [s]
   bool measured = true;                  // all of known cost, by earlier runs with the same key
+  std::map<std::string, std::string> names = {};  // by key, of the first run that has it
 };
 
 std::string line_of(const Job& job, const std::string& cost, Sums& sums) {
@@ -45,9 +48,11 @@ std::string line_of(const Job& job, Sums& sums) {
 
 std::string line_of(const PlannedRun& planned, const CampaignSettings& settings, Sums& sums) {
   const std::string name = planned.definition->name + "/" + planned.run->name;
-  if (planned.status.state == RunState::finished) {
+  const auto [first, is_new] = sums.names.try_emplace(planned.key, name);
+  if (planned.status.state == RunState::finished || (is_pending(planned) && !is_new)) {
     ++sums.kept;
-    return fmt::format("kept     {}\n", name);
+    return fmt::format("kept     {}{}\n", name,
+                       is_pending(planned) ? ", which is " + first->second : "");
   }
   if (!is_pending(planned)) {
     ++sums.left_out;
@@ -91,7 +96,9 @@ std::string plan_text(const std::vector<CaseDefinition>& cases,
     ++(standing.result ? sums.kept : pending ? sums.to_run : sums.left_out);
   }
   for (const PlannedRun& planned : plan_runs(cases, settings)) {
+    const bool is_shared = sums.names.contains(planned.key);
     text += line_of(planned, settings, sums);
+    if (is_shared) continue;
     for (const Job& job : timing_jobs(planned, settings)) {
       ++sums.timings;
       timings += line_of(job, sums);

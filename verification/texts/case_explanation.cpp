@@ -101,7 +101,7 @@ std::string flow_text(const CaseDefinition& definition) {
   text += entry("liquid",
                 fmt::format("{}; {:g} kg/m3, {:g} m2/s", liquid_text(definition),
                             definition.liquid.density, definition.liquid.kinematic_viscosity));
-  text += entry("motion", motion_text(definition));
+  text += entry("motion", motion_text(definition) + motion_peaks(definition));
   text += entry("start",
                 fmt::format("at rest in the {}'s frame", name_of(definition.start, start_names)));
   text += entry("time", fmt::format("{:g} s, a sample every {:g} s; compared from {:g} to {:g} s",

@@ -87,6 +87,17 @@ TEST(AxisRanges, HoldBandsMarkersAndErrorBars) {
   EXPECT_LT(y.lower, -3);
 }
 
+TEST(AxisRanges, LeaveOutACurveThatSetsNoScaleWithItsBand) {
+  Figure figure = figure_of({0, 1}, {0, 1});
+  figure.curves.push_back({"bad", {0, 5}, {0, 100}, {}, Curve::Style::line});
+  figure.curves[1].look = Look{false, 3, 0};
+  figure.curves[1].sets_scale = false;
+  figure.bands = {{"tolerance", -60, 60, Look{false, 3, 0}}};
+  EXPECT_LT(vertical_range(figure, horizontal_range(figure)).upper, 2);
+  figure.equal_axes = true;
+  EXPECT_LT(horizontal_range(figure).upper, 2);
+}
+
 TEST(AxisRanges, HoldHorizontalErrorBarsOnEitherKindOfAxis) {
   Figure figure = figure_of({10, 100, 200}, {1, 2, 3});
   figure.curves[0].x_error = {2, 300, nan};

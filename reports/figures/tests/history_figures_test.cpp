@@ -24,7 +24,36 @@ TEST(CaseFigures, AreThoseOfTheDataThatAreThere) {
             (Names{"small_surge-history", "small_surge-residual", "small_surge-sliding-amplitude",
                    "small_surge-sliding-lag", "small_surge-phasor-forced",
                    "small_surge-phasor-natural_1", "small_surge-cost", "small_surge-memory"}));
-  EXPECT_EQ(ids(appendix_figures(assessment)), Names{"small_surge-spectrum"});
+  EXPECT_EQ(ids(appendix_figures(assessment)),
+            (Names{"small_surge-spectrum", "small_surge-surge", "small_surge-surge-speed",
+                   "small_surge-surge-acceleration"}));
+}
+
+TEST(CaseFigures, ShowWhatIsGatedBeforeAllElse) {
+  CaseRuns runs = surge_runs();
+  add_series(runs, "theory", "force_x", "N/m", 100);
+  add_series(runs, "particles", "force_x", "N/m", 100);
+  CaseDefinition definition = surge_case();
+  for (GateRow& row : definition.gate) row.quantity = "force_x";
+  const CaseAssessment assessment = assess(definition, runs);
+  EXPECT_EQ(ids(case_figures(assessment)).at(0), "small_surge-force_x");
+  EXPECT_EQ(ids(appendix_figures(assessment)).at(0), "small_surge-history");
+}
+
+TEST(CaseFigures, HaveUnitsThatSuitALargeTank) {
+  CaseRuns runs = surge_runs();
+  add_series(runs, "theory", "force_x", "N/m", 2e4);
+  CaseDefinition definition = surge_case();
+  definition.tank.length = 12;
+  definition.tank.height = 2.4;
+  definition.liquid.fill_depth = 1.5;
+  const CaseAssessment assessment{definition, runs, {}, {}, {}};
+  const reports::Figure force = figure_of(assessment, "force_x"),
+                        elevation = figure_of(assessment, "history");
+  EXPECT_EQ(force.y_label, "force x [kN/m]");
+  EXPECT_NEAR(force.curves.at(0).y.at(100), waving("", "", 20).value.at(100), 1e-12);
+  EXPECT_EQ(elevation.y_label, "elevation [m]");
+  EXPECT_EQ(elevation.curves.at(0).y, elevation_of({}).value);
 }
 
 TEST(PressureFigure, ShowsTheoryBothSolversAndTheRecordUnfilteredAndFiltered) {
@@ -164,12 +193,12 @@ TEST(MotionFigures, ShowTheRollAndTheSurgeOfATankThatRolls) {
   const CaseAssessment assessment = assess(definition, surge_runs());
   const reports::Figure roll = figure_of(assessment, "roll"),
                         surge = figure_of(assessment, "surge");
-  ASSERT_EQ(roll.curves.size(), 1u);
+  ASSERT_EQ(roll.curves.size(), 2u) << "with its peak";
   ASSERT_EQ(roll.curves[0].x.size(), 501u);
   EXPECT_EQ(roll.curves[0].x.back(), 20);
   EXPECT_NEAR(roll.curves[0].y[50], 4 * std::sin(2 * forcing), 1e-9);
   EXPECT_EQ(roll.y_label, "roll [deg]");
-  ASSERT_EQ(surge.curves.size(), 1u);
+  ASSERT_EQ(surge.curves.size(), 2u);
   EXPECT_NEAR(surge.curves[0].y[50], 20 * std::sin(2 * forcing), 1e-9);
   EXPECT_EQ(surge.y_label, "surge [mm]");
 }

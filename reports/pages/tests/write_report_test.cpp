@@ -105,6 +105,19 @@ TEST(WrittenReport, LeadsFromItsBannerToTheRowThatDecides) {
   EXPECT_THROW(check_report(report), ReportError);
 }
 
+TEST(WrittenReport, FoldsATableBehindItsTitleAndTheNumberOfItsRows) {
+  const ScratchDirectory scratch;
+  Report report = sample_report();
+  Table& table = report.sections.front().tables.front();
+  table.is_folded = true;
+  write_report(report, scratch / "report");
+  const std::string page = read_text(scratch / "report/index.html");
+  const std::size_t at = page.find("<details class=\"folded\"><summary>");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_LT(page.find(": " + std::to_string(table.rows.size()) + "</summary>", at), page.size());
+  EXPECT_LT(page.find("id=\"table-" + table.id + "\"", at), page.find("</details>\n", at));
+}
+
 TEST(WrittenReport, PlaysAnAnimationOnlyWhereItIsAskedFor) {
   const ScratchDirectory scratch;
   Report report = sample_report();

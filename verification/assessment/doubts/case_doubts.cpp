@@ -113,9 +113,8 @@ std::vector<Tone> fitted_tones(const CaseDefinition& definition) {
   for (const ForcedMode& mode : forced)
     tones.push_back({forced.size() == 1 ? "the motion" : mode.name,
                      2 * std::numbers::pi / mode.angular_frequency});
-  int number = 0;
-  for (const double frequency : excited_frequencies(definition, definition.natural_modes))
-    tones.push_back({fmt::format("natural_{}", ++number), 2 * std::numbers::pi / frequency});
+  for (const auto& [number, frequency] : excited_frequencies(definition, definition.natural_modes))
+    tones.push_back({fmt::format("natural_{}", number), 2 * std::numbers::pi / frequency});
   return tones;
 }
 

@@ -20,7 +20,7 @@ bool is_plane(const RunDefinition& run) {
 
 ModelLimit undeclared_breadth(const CaseDefinition& definition, double layer) {
   const double length = definition.tank.length;
-  return {fmt::format("the friction of the front and the back wall, for which the breadth is taken "
+  return {fmt::format("the friction of the gap walls, for which the breadth is taken "
                       "to be the length, {:.3g} m, as the case declares no breadth_m; a tank "
                       "narrower than {:.2g} m is beyond the limit and must declare it",
                       length, pi * layer / seen_share),
@@ -38,12 +38,11 @@ std::vector<ModelLimit> gap_limits(const CaseDefinition& definition) {
   if (runs.empty()) return {};
   const double mass =
       layers_between_walls(*gap, definition.liquid.kinematic_viscosity, *frequency).added_mass;
-  return {
-      {fmt::format("the added mass of the layers on the front and the back wall, which lowers a "
-                   "natural frequency by {:.2g} %, in {}",
-                   100 * mass / 2, few_of(runs)),
-       mass, seen_share / pi, "of the liquid's inertia",
-       "Landau & Lifshitz 1987, section 24, problem 6"}};
+  return {{fmt::format("the added mass of the layers on the gap walls, which lowers a "
+                       "natural frequency by {:.2g} %, in {}",
+                       100 * mass / 2, few_of(runs)),
+           mass, seen_share / pi, "of the liquid's inertia",
+           "Landau & Lifshitz 1987, section 24, problem 6"}};
 }
 
 }  // namespace slosh

@@ -1,4 +1,4 @@
-// What the runs leave out of the front and the back wall of their tank, the gap b apart
+// What the runs leave out of the gap walls of their tank, the gap b apart
 // (case/gap_friction.hpp; docs/walls.md, narrow tanks):
 // - The friction r takes pi r / omega of a wave's amplitude in each period.
 // - The added mass a, a share of the liquid's inertia, lowers a natural frequency by a / 2. A wave

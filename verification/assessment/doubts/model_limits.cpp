@@ -12,7 +12,7 @@ namespace slosh {
 std::vector<ModelLimit> model_limits(const CaseDefinition& definition, const CaseRuns& runs) {
   std::vector<ModelLimit> limits;
   for (const auto& some : {damping_limits(definition), gap_limits(definition),
-                           gas_limits(definition), surface_tension_limits(definition),
+                           gas_limits(definition, runs), surface_tension_limits(definition),
                            compression_limits(definition, runs), motion_noise(definition)})
     limits.insert(limits.end(), some.begin(), some.end());
   return limits;

@@ -10,7 +10,7 @@
 namespace slosh {
 
 // Returns the effects that the runs of the case leave out, of those that apply: damping
-// (damping_limits.hpp), the front and the back wall (gap_limits.hpp), the gas (gas_limits.hpp),
+// (damping_limits.hpp), the gap walls (gap_limits.hpp), the gas (gas_limits.hpp),
 // surface tension (surface_tension_limits.hpp), compression (compression_limits.hpp) and the noise
 // of a motion by a table (motion_noise.hpp). They follow from the case file; where `runs` has
 // results, these tell the pressures of impacts and the Mach numbers.

@@ -37,7 +37,7 @@ void limit_gap(const CaseDefinition& definition, std::vector<ModelLimit>& limits
   const double height = wave_height(definition);
   if (height == 0) return;
   const double pressure = 2 * surface_tension / *definition.tank.breadth;
-  limits.push_back({fmt::format("the capillary pressure between the front and the back wall, of at "
+  limits.push_back({fmt::format("the capillary pressure between the gap walls, of at "
                                 "most {:.2g} Pa in waves about {:.2g} m high",
                                 pressure, height),
                     pressure / (definition.liquid.density * definition.gravity * height),

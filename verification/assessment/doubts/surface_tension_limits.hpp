@@ -1,7 +1,7 @@
 // What surface tension would change, which no solver here has. It is judged with 0.073 N/m, that of
 // clean water in air; other liquids have less.
 // - Wave: it raises the square of a frequency by k^2 sigma / (rho g) (Lamb, article 267).
-// - Gap: the capillary pressure of the meniscus between the front and the back wall differs by at
+// - Gap: the capillary pressure of the meniscus between the gap walls differs by at
 //   most 2 sigma / b between a rising and a falling surface, whose contact angles differ. That is a
 //   solid friction of sigma / b per area of the surface (Viola, Brun & Gallaire 2018). In a period
 //   it takes (8 / pi) (sigma / b) A of a standing wave's energy rho g A^2 / 4, and so

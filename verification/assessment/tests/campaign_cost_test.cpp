@@ -10,7 +10,8 @@ namespace {
 
 RunResult taking(double user_time, double system_time) {
   RunResult result;
-  result.key = "1b2c";
+  static int made = 0;
+  result.key = std::to_string(++made);
   result.cost = {.wall_time = 9, .user_time = user_time, .system_time = system_time};
   return result;
 }
@@ -31,13 +32,15 @@ CaseAssessment with_runs(double user_time, double system_time) {
 TEST(CampaignCost, CountsUserAndSystemTimeOfAllRunsAndProblems) {
   ProblemRun run{{RunState::finished, ""}, ProblemResult{}};
   run.result->cost = {.user_time = 500, .system_time = 100};
+  run.result->key = "a problem";
   const ProblemAssessment made{{}, run, {}}, missing{{}, {{RunState::missing, ""}, {}}, {}};
   const std::vector<CaseAssessment> cases{with_runs(4000, 200), with_runs(30, 1)};
   const CampaignCost cost = campaign_cost(cases, {made, missing});
   EXPECT_EQ(cost.results, 5u);
   EXPECT_DOUBLE_EQ(cost.core_seconds, 2 * 4200 + 2 * 31 + 600);
   EXPECT_EQ(cost_sentence(cases, {made, missing}),
-            "The campaign cost 9062 core-seconds (2.5 hours). This is the sum over its runs and "
+            "The results of the campaign cost 9062 core-seconds (2.5 hours). This is the sum over "
+            "its runs and "
             "problems, 5 in all, each measured when it was made.");
 }
 
@@ -50,13 +53,25 @@ TEST(CampaignCost, CountsRunsAtTheBoundsOfAnInputAndNoPredictionsOfATheory) {
   EXPECT_DOUBLE_EQ(campaign_cost({assessment}, {}).core_seconds, 2 * 31 + 8 + 9);
 }
 
-TEST(CampaignCost, DoesNotCountStoredResultsAndTimings) {
+TEST(CampaignCost, CountsARunThatTwoCasesShareOnce) {
+  const CaseAssessment one = with_runs(30, 1);
+  CaseAssessment other = with_runs(5, 0);
+  other.runs.results["coarse"] = one.runs.results.at("coarse");
+  EXPECT_DOUBLE_EQ(campaign_cost({one, other}, {}).core_seconds, 2 * 31 + 5);
+}
+
+TEST(CampaignCost, DoesNotCountStoredResultsRecordsAndTimings) {
   CaseAssessment assessment = with_runs(30, 1);
+  assessment.definition.runs.resize(3);
   assessment.definition.runs[1].solver = StoredRun{};
+  assessment.definition.runs[2].solver = RecordRun{};
+  assessment.definition.runs[2].name = "record";
+  assessment.runs.results["record"] = taking(50, 0);
   for (const char* run : {"coarse", "fine"})
     assessment.runs.timings[run] = {{.user_time = 7}, {.user_time = 8}};
   EXPECT_EQ(cost_sentence({assessment}, {}),
-            "The campaign cost 31.0 core-seconds (0.5 minutes). This is the sum over its runs and "
+            "The results of the campaign cost 31.0 core-seconds (0.5 minutes). This is the sum "
+            "over its runs and "
             "problems, 1 in all, each measured when it was made.");
 }
 

@@ -45,6 +45,16 @@ TEST(CaseAssessment, RejectsACandidateATenthTooHigh) {
   EXPECT_EQ(exit_status({assessment}), exit_violated);
 }
 
+TEST(CaseAssessment, AsksForTheUnitOrTheSignOfACandidateThatIsAThousandfoldOrTurnedOver) {
+  const auto remarks = [](double factor) {
+    return assess_candidate(scaled(elevation_of({}), factor)).gate.front().remarks;
+  };
+  EXPECT_NE(remarks(1000).find("; unit? the candidate's swing is"), std::string::npos);
+  EXPECT_EQ(remarks(0.001), "; unit? the candidate's swing is 0.001 times the reference's");
+  EXPECT_EQ(remarks(-1), "; sign? the candidate is the reference turned over");
+  EXPECT_EQ(remarks(2), "");
+}
+
 TEST(CaseAssessment, RejectsACandidateATwentiethOfAPeriodLate) {
   TimeSeries late = elevation_of({});
   for (double& time : late.time) time += 0.05 * forcing_period;
@@ -338,9 +348,9 @@ TEST(FittedModes, AreTheForcingAndTheFirstModesThatSurgeExcites) {
   EXPECT_FALSE(modes[0].refine);
   EXPECT_EQ(modes[1].name, "natural_1");
   EXPECT_NEAR(modes[1].angular_frequency, 4.96646, 1e-5);
-  EXPECT_EQ(modes[2].name, "natural_2");
+  EXPECT_EQ(modes[2].name, "natural_3");
   EXPECT_NEAR(modes[2].angular_frequency, 9.60235, 1e-5);
-  EXPECT_EQ(modes[3].name, "natural_3");
+  EXPECT_EQ(modes[3].name, "natural_5");
   EXPECT_NEAR(modes[3].angular_frequency, 12.41330, 1e-5);
   EXPECT_TRUE(modes[1].refine && modes[2].refine && modes[3].refine);
 }

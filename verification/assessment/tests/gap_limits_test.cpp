@@ -24,21 +24,21 @@ CaseDefinition rolling_tank(double viscosity, double frequency, const InterFoamR
 }
 
 const InterFoamRun plane_mesh{.cells_x = 90, .cells_z = 51};
-const std::string added_mass = "the added mass of the layers on the front and the back wall";
+const std::string added_mass = "the added mass of the layers on the gap walls";
 
 TEST(GapLimits, SayThatACaseWithoutBreadthIsTakenToBeAsBroadAsLong) {
   CaseDefinition definition = case_with_runs({});
-  const auto limit = found_limit(definition, "the friction of the front and the back wall");
+  const auto limit = found_limit(definition, "the friction of the gap walls");
   ASSERT_TRUE(limit);
   EXPECT_FALSE(limit->exceeded());
   EXPECT_EQ(limit->effect,
-            "the friction of the front and the back wall, for which the breadth is taken to be the "
+            "the friction of the gap walls, for which the breadth is taken to be the "
             "length, 1 m, as the case declares no breadth_m; a tank narrower than 0.18 m is beyond "
             "the limit and must declare it");
   definition.tank.length = 0.1;
-  EXPECT_TRUE(found_limit(definition, "the friction of the front and the back wall")->exceeded());
+  EXPECT_TRUE(found_limit(definition, "the friction of the gap walls")->exceeded());
   definition.tank.breadth = 0.1;
-  EXPECT_FALSE(found_limit(definition, "the friction of the front and the back wall"));
+  EXPECT_FALSE(found_limit(definition, "the friction of the gap walls"));
 }
 
 TEST(GapLimits, TellTheAddedMassThatOpenFoamInTwoDimensionsLeavesOut) {

@@ -1,5 +1,6 @@
 #include "verification/assessment/doubts/gas_limits.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,6 +48,26 @@ TEST(GasLimits, NameTheRunsThatKnowTheLiquidAlone) {
   EXPECT_TRUE(found_limit(under_gas(870, {PotentialRun{}}), gas));
   EXPECT_FALSE(
       found_limit(under_gas(870, {two_layers, InterFoamRun{.cells_x = 90, .cells_z = 51}}), gas));
+}
+
+TEST(GasLimits, TellThatSphLeavesARoofAtOnceWhereItsLiquidComesThere) {
+  const SphRun sph{"recommended", 0.01, 0.01};
+  constexpr const char* roof = "the gas that must follow where the liquid leaves the roof";
+  CaseDefinition definition = violent_case({sph, InterFoamRun{.cells_x = 90, .cells_z = 51}});
+  definition.gauges = {{"right", 0.95}};
+  definition.tank.height = definition.liquid.fill_depth + 0.05;
+  const auto expected = found_limit(definition, roof);
+  ASSERT_TRUE(expected);
+  const double front = 0.542 * std::sqrt(9.81 * definition.tank.height);
+  EXPECT_NEAR(expected->value, definition.tank.length / front * 4.94488 / (2 * pi), 1e-9);
+  EXPECT_NE(expected->effect.find(fmt::format("at {:.3g} m/s", front)), std::string::npos);
+  EXPECT_TRUE(expected->effect.ends_with("in " + definition.runs[0].name));
+  CaseRuns runs;
+  RunResult& result = runs.results[definition.runs[0].name];
+  result.series = {{"highest_surface@right", "m", {0, 1}, {0, 0.03}}};
+  EXPECT_FALSE(found_limit(definition, roof, runs)) << "it stays below";
+  result.series[0].value[1] = 0.045;
+  EXPECT_TRUE(found_limit(definition, roof, runs)->exceeded());
 }
 
 TEST(GasLimits, NeedGravity) {

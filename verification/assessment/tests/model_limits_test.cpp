@@ -15,8 +15,8 @@ TEST(ModelLimits, SayNumberLimitAndSource) {
 
 TEST(ModelLimits, HaveTheEffectsOfEveryPart) {
   const CaseDefinition definition = violent_case({InterFoamRun{.cells_x = 20, .cells_z = 20}});
-  for (const char* effect : {"the friction at walls", "the front and the back wall",
-                             "surface tension", "the compression of trapped air"})
+  for (const char* effect : {"the friction at walls", "the gap walls", "surface tension",
+                             "the compression of trapped air"})
     EXPECT_TRUE(found_limit(definition, effect)) << effect;
 }
 

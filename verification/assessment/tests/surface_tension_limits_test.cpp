@@ -25,7 +25,7 @@ TEST(SurfaceTensionLimits, HaveSurfaceTensionInSmallTanks) {
 
 TEST(SurfaceTensionLimits, CompareTheCapillaryPressureAcrossTheGapWithTheWave) {
   CaseDefinition definition = case_with_runs({});
-  const std::string across = "the capillary pressure between the front and the back wall";
+  const std::string across = "the capillary pressure between the gap walls";
   EXPECT_FALSE(found_limit(definition, across)) << "the breadth is unknown";
   definition.tank.breadth = 0.05;
   definition.motion = {};

@@ -117,7 +117,7 @@ TEST(WaveAssessment, LooksForTheWavesOwnMode) {
   definition.initial_wave->mode = 2;
   const auto modes = fitted_modes(definition);
   ASSERT_EQ(modes.size(), 1u);
-  EXPECT_EQ(modes[0].name, "natural_1");
+  EXPECT_EQ(modes[0].name, "natural_2");
   EXPECT_NEAR(modes[0].angular_frequency, std::sqrt(2 * M_PI * std::tanh(2 * M_PI)), 1e-12);
 }
 

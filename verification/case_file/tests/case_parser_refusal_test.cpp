@@ -24,7 +24,7 @@ run(mesh).expected_speed = "coarse_run": expected only these keys here: name, so
 run(mesh).variant = "a": expected only these keys here: name, solver, quick, cells_x
 motion.surge.amplitude_deg = 0.02: expected only these keys here: type, amplitude_m,
   angular_frequency_rad_s, frequency_Hz, period_s, phase_deg, ramp_periods, sines, file,
-  time_offset_s; nearest known key: amplitude_m
+  time_offset_s, segments; nearest known key: amplitude_m
 motion.surge.type is missing: expected a motion, one of sine, sines, table
 gas.air = {} -> gas.air = (a table): expected only these keys
 )");
@@ -64,7 +64,7 @@ tank.length_m = -2: expected a number > 0, in m
 tank.breadth_m = 0.0: expected a number > 0, in m
 tank.breadth_m = -0.06: expected a number > 0, in m
 tank.breadth_m = 0.06 -> run(theory).solver = "linear": expected a solver that counts the friction of
-  the front and the back wall, one of sph, interfoam and interisofoam, and with cells_y
+  the gap walls, one of sph, interfoam and interisofoam, and with cells_y
   compressible_interfoam, where [tank] has breadth_m
 liquid.fill_depth_m = 1.5: expected a number > 0 and below the tank's height (1), in m
 liquid.fill_depth_m = 1.0: expected
@@ -171,13 +171,13 @@ gate.quantity = "elevation@rigth": expected a compared quantity, one of elevatio
   highest_surface@left; nearest: elevation@right
 gate.quantity = "pressure@right": expected
 gate.quantity = "front_position": expected a compared quantity, one of elevation@right, elevation@left
-gate.mode = "natural_3": expected what amplitude_error is measured on, one of forced, natural_1,
-  natural_2; nearest: natural_
+gate.mode = "natural_2": expected what amplitude_error is measured on, one of forced, natural_1,
+  natural_3; nearest: natural_
 gate.mode = "whole": expected what amplitude_error is measured on
 gate.metric = "normalised_rms" -> gate.mode = "forced": expected what normalised_rms is measured on,
   which is whole
 gate.metric = "frequency_error" -> gate.mode = "forced": expected what frequency_error is measured
-  on, one of natural_1, natural_2
+  on, one of natural_1, natural_3
 gate.metric = "amplitude_eror": expected a metric, one of amplitude_error, phase_lag,
   frequency_error, decay_rate, decay_error, normalised_rms, aligned_rms, largest_magnitude,
   cross_correlation_lag, spectral_peak_error, rms_error, mean_offset, noise_share, initial_value,

@@ -102,9 +102,9 @@ TEST(RowGroup, TellsOfEachRowTheLineOfItsMetric) {
 
 TEST(RowGroup, HasARowForEachModeThatItLists) {
   EXPECT_EQ(names("[[gate]]\ncandidate = \"coarse\"\nreference = \"theory\"\n"
-                  "modes = [\"natural_2\", \"forced\"]\nmetric = \"amplitude_error\"\n"
+                  "modes = [\"natural_3\", \"forced\"]\nmetric = \"amplitude_error\"\n"
                   "limit = 0.1\nreason = \"r\"\nsource = \"s\"\n"),
-            (std::vector<std::string>{"coarse amplitude_error natural_2",
+            (std::vector<std::string>{"coarse amplitude_error natural_3",
                                       "coarse amplitude_error forced"}));
 }
 

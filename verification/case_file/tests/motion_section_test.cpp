@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "reports/wording/case_text.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/messages.hpp"
@@ -142,7 +143,7 @@ TEST(MotionSection, WantsTheForcedModeOfSeveralToBeNamed) {
   const std::string text = edited({sine_surge, two_sines});
   expect_refusals(text, R"(
 -> gate.mode = "forced": expected what amplitude_error is measured on, one of forced_1, forced_2,
-  natural_1, natural_2
+  natural_1, natural_3
 gate.mode is missing: expected what amplitude_error is measured on, one of forced_1, forced_2
 )");
   EXPECT_EQ(read_text(with_keys(text, "gate.mode = \"forced_2\"")).gate.at(0).mode, "forced_2");
@@ -202,7 +203,7 @@ motion.roll.axis_z_m = inf: expected a number from -2000 to 2000 (1000 tank leng
   bottom
 motion.roll.axis_y_m = 0: expected only these keys here: type, amplitude_deg,
   angular_frequency_rad_s, frequency_Hz, period_s, phase_deg, ramp_periods, sines, file,
-  time_offset_s, axis_x_m, axis_z_m; nearest known key: axis_x_m
+  time_offset_s, segments, axis_x_m, axis_z_m; nearest known key: axis_x_m
 motion.roll.file = "roll.csv": expected only these keys here: type, amplitude_deg
 )");
   expect_refusals(moved_by(table_roll), R"(
@@ -279,6 +280,35 @@ TEST(MotionSection, IntegratesATableOfAccelerationsFromRestAtTheStart) {
   workspace.write("roll.csv", "time_s,acceleration_deg_s2\n" + rows);
   EXPECT_TRUE(holds(complaint(workspace.write("trial.toml", moved_by(table_roll))),
                     "expected angles from -360 to 360, in deg"));
+}
+
+// A brake that is put on within 0.2 s and taken off as fast.
+TEST(MotionSection, GoesStraightBetweenAccelerationsOrTellsHowFarASplineGoesBeyondThem) {
+  const std::string brake = "0,0\n2,0\n2.2,-4\n5,-4\n5.2,0\n21,0\n";
+  const auto of = [&](const std::string& keys, const std::string& column) {
+    return with_table(table_surge + keys, "surge.csv", "time_s," + column + "\n" + brake);
+  };
+  const CaseDefinition straight = of("segments = \"straight\"\n", "acceleration_m_s2");
+  const SurgeMotion surge = surge_motion(straight);
+  for (const auto& [t, a] : {std::pair{1.0, 0.0},
+                             {2.0, 0.0},
+                             {2.1, -2.0},
+                             {2.2, -4.0},
+                             {3.3, -4.0},
+                             {5.15, -1.0},
+                             {12.0, 0.0}})
+    EXPECT_NEAR(surge.acceleration(t), a, 1e-9) << t;
+  EXPECT_NEAR(surge.velocity(20), -4 * 3.0, 1e-9);
+  EXPECT_EQ(motion_peaks(straight), "; at most 197 m, 12 m/s and 4 m/s2");
+  const std::string beyond = motion_peaks(of("", "acceleration_m_s2"));
+  EXPECT_TRUE(holds(beyond, "beyond its largest acceleration, 4 m/s2")) << beyond;
+  EXPECT_TRUE(holds(motion_peaks(of("", "displacement_m")), "beyond its largest position, 4 m"));
+  expect_refusals({moved_by(table_surge + "segments = \"straight\"\n"),
+                   {{"surge.csv", "time_s,displacement_m\n" + brake}}},
+                  R"(
+-> motion.surge.segments = "straight": expected "spline" for a table of positions, whose corners
+  would be blows
+)");
 }
 
 TEST(MotionSection, AddsTheTimeOffsetToTheTimesOfATable) {

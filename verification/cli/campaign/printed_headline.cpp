@@ -12,7 +12,8 @@ namespace slosh {
 
 std::string verdict_text(const AssessedCampaign& assessed, int status) {
   const auto& [definition, output, cases, problems] = assessed;
-  const auto [lead, row, finding] = decision_of(cases, problems);
+  auto [lead, row, finding] = decision_of(cases, problems);
+  if (status == exit_solver_failed) finding = "";  // the complaint about the run has it
   return fmt::format(
       "{}: {}{}", headline_word(status, cases, problems), headline_sentence(cases, problems),
       row.text.empty()

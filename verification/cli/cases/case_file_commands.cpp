@@ -12,6 +12,9 @@
 #include <iostream>
 #include <memory>
 
+#include "reports/figures/case_figures.hpp"
+#include "reports/model/report_files.hpp"
+#include "reports/pages/report_documents.hpp"
 #include "verification/assessment/doubts/case_doubts.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
@@ -19,6 +22,7 @@
 #include "verification/cli/campaign/requested_campaign.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/atomic_file.hpp"
+#include "verification/files/own_files.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/runs/expected_cost.hpp"
 #include "verification/runs/run_case.hpp"
@@ -130,12 +134,27 @@ KnownRun known_run(const CaseDefinition& definition, const RunDefinition& run,
   return known;
 }
 
+// The tank and its motion, on a page.
+void leave_drawings(const CaseDefinition& definition, const Installation& installation) try {
+  std::vector<reports::Figure> figures = motion_figures(definition);
+  figures.insert(figures.begin(), tank_figure(definition));
+  const std::filesystem::path page =
+      installation.build / "shown" / (definition.name + "-tank.html");
+  std::filesystem::create_directories(page.parent_path());
+  const reports::TemporaryDirectory scratch((page.parent_path() / ".drawing-").string());
+  replace_own(page, reports::figure_page(definition.title, figures, {}, scratch.path()));
+  std::cout << "\ndrawings: " << page.string() << "\n";
+} catch (const reports::ReportError& error) {
+  std::cerr << "no drawings: " << error.what() << "\n";
+}
+
 int explain(const std::string& name, const Installation& installation) {
   const CaseDefinition definition = read_case(find_case(name, installation.cases));
   std::map<std::string, KnownRun> known;
   for (const RunDefinition& run : definition.runs)
     known[run.name] = known_run(definition, run, installation);
   std::cout << explanation(definition, known);
+  leave_drawings(definition, installation);
   return exit_pass;
 }
 

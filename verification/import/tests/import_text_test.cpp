@@ -305,7 +305,7 @@ TEST(ImportText, OfTimeFoldersIsThatOfTheNamedFile) {
             "file = f: expected one of its time folders' files, f/force.dat or f/moment.dat");
   source.file = workspace.path() / "f/force.txt";
   EXPECT_EQ(complaint_of(workspace, [&] { import_series(source); }),
-            "file = f/force.txt: expected a file; there is none");
+            "file = f/force.txt: expected a file; there is no f/force.txt");
 }
 
 TEST(ImportText, OfARestartedRunIsOfOneGaugeAtOnePlace) {
@@ -419,7 +419,7 @@ TEST(ImportRefusal, WhatTheUserSaysMustFitTheFile) {
   expect_start(complaint([](auto& source) { source.quantity = "force_x"; }),
                "a.csv: unit = mm: expected a unit of force_x, one of N/m, kN/m");
   expect_start(complaint([](auto& source) { source.file = source.file.string() + ".gz"; }),
-               "file = a.csv.gz: expected a file; there is none");
+               "file = a.csv.gz: expected a file; there is no a.csv.gz");
   expect_start(complaint([](auto& source) { source.format = "sphinxsys"; }),
                "time_column = t: expected no time column or unit: a sphinxsys file has its own");
   expect_start(complaint(as_it_is, "t [s];eta\n0;1\n"),

@@ -76,4 +76,10 @@ std::vector<fs::path> series_files(const fs::path& file) {
                                   file.string(), fmt::join(names, " or ")));
 }
 
+std::string no_file_at(const fs::path& path) {
+  std::error_code lost;
+  return fs::is_directory(path, lost) ? path.string() + " is a directory"
+                                      : "there is no " + path.string();
+}
+
 }  // namespace slosh

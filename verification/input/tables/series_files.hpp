@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace slosh {
@@ -14,5 +15,9 @@ namespace slosh {
 // "force_5.dat" beside "force.dat" is a later part of it. Returns none where there is no such file.
 // Throws CaseFileError where a directory is named whose time folders hold files of several names.
 std::vector<std::filesystem::path> series_files(const std::filesystem::path& file);
+
+// Returns what lies at a path where a file is expected: "PATH is a directory" or "there is no
+// PATH".
+std::string no_file_at(const std::filesystem::path& path);
 
 }  // namespace slosh

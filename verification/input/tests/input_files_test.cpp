@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "verification/tests/messages.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::input_files_test {
@@ -18,6 +19,18 @@ TEST(DefinitionFile, IsFoundBesideALinkToADirectory) {
   std::ofstream(top / "real/one/small.toml") << "name = 1\n";
   const auto file = find_definition_file("case", "../small.toml", top, top / "link");
   EXPECT_EQ(read_definition_text("case", file), "name = 1\n");
+}
+
+TEST(DefinitionFile, IsNotCalledMissingWhereItIsADirectory) {
+  const TemporaryDirectory directory;
+  const auto refused = [&](const char* name) {
+    return message_of<CaseFileError>(
+        [&] { find_definition_file("case", "./" + std::string(name), "", directory.path()); });
+  };
+  std::filesystem::create_directory(directory.path() / "tank");
+  EXPECT_TRUE(refused("tank").ends_with("expected a file; " + (directory.path() / "tank").string() +
+                                        " is a directory"));
+  EXPECT_TRUE(refused("bank").ends_with("there is no " + (directory.path() / "bank").string()));
 }
 
 TEST(PlainPath, LosesItsDotsWhereItNamesTheSameFile) {

@@ -185,8 +185,7 @@ void require_for_dualsphysics(const HandedCase& handed) {
   };
   if (definition.initial_wave)
     refuse("initial_wave", "a liquid that starts under a level surface, as GenCase fills boxes");
-  if (definition.tank.breadth)
-    refuse("tank.breadth_m", "a tank whose front and back walls do not count");
+  if (definition.tank.breadth) refuse("tank.breadth_m", "a tank whose gap walls do not count");
   if (definition.gravity == 0)
     refuse("gravity_m_s2", "a number > 0, in m/s2, from which comes the speed of sound");
   if (starts_against_roll(definition))

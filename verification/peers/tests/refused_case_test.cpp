@@ -56,8 +56,8 @@ TEST(RefusedCase, TellsWhatPySphCannotBeTold) {
   EXPECT_EQ(refusal(blocked, "pysph"),
             at(blocked, "[[obstacle]]") + "obstacle: expected a tank without obstacles, for PySPH");
   EXPECT_EQ(refusal(narrow, "pysph"), at(narrow, "breadth_m") +
-                                          "tank.breadth_m = 0.1: expected a tank whose front and "
-                                          "back walls do not count, for PySPH");
+                                          "tank.breadth_m = 0.1: expected a tank whose gap "
+                                          "walls do not count, for PySPH");
   EXPECT_EQ(refusal(dam, "pysph"),
             at(dam, "column_width_m") +
                 "liquid.column_width_m = 0.3: expected a liquid that fills the "

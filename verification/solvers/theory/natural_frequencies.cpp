@@ -54,13 +54,13 @@ double share_lost_to_gas(const CaseDefinition& definition) {
   return 1 - reference::natural_frequency(tank, gas, 1) / reference::natural_frequency(tank, 1);
 }
 
-std::vector<double> excited_frequencies(const CaseDefinition& definition, int count) {
+std::map<int, double> excited_frequencies(const CaseDefinition& definition, int count) {
   const std::vector<int> modes = natural_modes(definition, count);
   const std::vector<double> all = natural_frequencies(definition, modes.empty() ? 0 : modes.back());
-  std::vector<double> excited;
+  std::map<int, double> excited;
   for (const int mode : modes)
     if (static_cast<std::size_t>(mode) <= all.size())
-      excited.push_back(all[static_cast<std::size_t>(mode) - 1]);
+      excited[mode] = all[static_cast<std::size_t>(mode) - 1];
   return excited;
 }
 

@@ -2,6 +2,7 @@
 // modes, and the page, the doubts and the theories' ranges name them.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "verification/case/case_definition.hpp"
@@ -17,7 +18,7 @@ std::vector<double> natural_frequencies(const CaseDefinition& definition, int co
 // two-layer theory of a rectangle as long as the still surface. Valid with gravity.
 double share_lost_to_gas(const CaseDefinition& definition);
 
-// Returns those of the modes that natural_modes() of quantities.hpp names.
-std::vector<double> excited_frequencies(const CaseDefinition& definition, int count);
+// Returns those of the modes that natural_modes() of quantities.hpp names, by their numbers.
+std::map<int, double> excited_frequencies(const CaseDefinition& definition, int count);
 
 }  // namespace slosh
