@@ -92,10 +92,11 @@ std::string advice(const TableMotion& table) {
       *step, 1 / (2 * *step));
 }
 
+// A table of accelerations is differentiated by nobody.
 void add_noise(const char* name, const MotionHistory& history, double unit, const char* unit_name,
                std::vector<ModelLimit>& limits) {
   const auto* table = std::get_if<TableMotion>(&history);
-  if (!table || table->time.size() < stencil) return;
+  if (!table || table->of_accelerations || table->time.size() < stencil) return;
   ModelLimit limit{"", noise_share(*table), mostly, "of the acceleration's rms",
                    "6 s / dt^2 of the cubic spline through points that scatter by s"};
   limit.effect =

@@ -100,6 +100,13 @@ TEST(MotionNoise, DoubtsNaN) {
   EXPECT_TRUE(limit_of(table).exceeded());
 }
 
+TEST(MotionNoise, IsOfPositionsAlone) {
+  TableMotion braking = sine_table(100, 1e-2);
+  EXPECT_TRUE(limit_of(braking).exceeded());
+  braking.of_accelerations = true;
+  EXPECT_TRUE(limits_of(braking).empty());
+}
+
 TEST(MotionNoise, IsNotKnownOfSinesAndOfFewPoints) {
   EXPECT_TRUE(motion_noise(case_with_runs({})).empty());
   EXPECT_TRUE(limits_of({"few.csv", {0, 1, 2, 3}, {0, 1, 0, 1}}).empty());
