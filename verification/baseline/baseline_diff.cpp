@@ -15,7 +15,7 @@
 
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/changed_input.hpp"
-#include "verification/case/judged_time.hpp"
+#include "verification/case/metric_table.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/input/toml_reader.hpp"

@@ -10,8 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "verification/case/judged_time.hpp"
-
 namespace slosh {
 namespace {
 
