@@ -41,7 +41,8 @@ Json json_of(const BaselineValue& value) {
   if (const auto& terms = value.terms)
     entry["terms"] = {{"kind", terms->kind},         {"window", terms->window},
                       {"inputs", terms->inputs},     {"setup", terms->setup},
-                      {"evidence", terms->evidence}, {"measured_with", terms->measured_with}};
+                      {"evidence", terms->evidence}, {"measured_with", terms->measured_with},
+                      {"tags", terms->tags}};
   return entry;
 }
 
@@ -50,8 +51,13 @@ BaselineValue value_from(const Json& value) {
                      number_from(value.at("lower")), number_from(value.at("upper"))};
   if (value.contains("terms")) {
     const Json& terms = value.at("terms");
-    read.terms = {terms.at("kind"),  terms.at("window"),          terms.at("inputs"),
-                  terms.at("setup"), terms.value("evidence", ""), terms.value("measured_with", "")};
+    read.terms = {terms.at("kind"),
+                  terms.at("window"),
+                  terms.at("inputs"),
+                  terms.at("setup"),
+                  terms.value("evidence", ""),
+                  terms.value("measured_with", ""),
+                  terms.value("tags", std::vector<std::string>())};
   }
   if (value.contains("uncertainty_95"))
     read.uncertainty =

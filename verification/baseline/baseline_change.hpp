@@ -1,7 +1,7 @@
 // The baseline of a campaign, changes of it, and a proposal of such changes. A change reads in JSON
 //   {"row", "old", "new"}, with old and new {"value", "half_width_95", "lower", "upper",
 //   "uncertainty_95", "terms"} or null, and terms {"kind", "window", "inputs", "setup", "evidence",
-//   "measured_with"},
+//   "measured_with", "tags"},
 // in ledgers (baseline_ledger.hpp) and proposals alike. Older ledgers record not all of it. A
 // proposal lies beside the results until somebody approves it.
 #pragma once
@@ -31,6 +31,8 @@ struct RowTerms {
   // "m20, m40, s (3), theory": the runs that the verdict and its interval were measured with, those
   // of an ensemble counted. Empty where it was not measured, and where it is not recorded.
   std::string measured_with = {};
+  // Of the case, by which `--tag` selects it; empty where they are not recorded.
+  std::vector<std::string> tags = {};
 
   bool operator==(const RowTerms&) const = default;
 };

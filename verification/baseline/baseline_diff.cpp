@@ -15,7 +15,7 @@
 
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/changed_input.hpp"
-#include "verification/case/judged_time.hpp"
+#include "verification/case/metric_table.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/input/toml_reader.hpp"
@@ -200,7 +200,8 @@ RowTerms terms_of(const CaseDefinition& definition, const GateOutcome& outcome) 
           setup_hash(definition, runs_of(row)) + "-" + hash_of_the_rest(definition, row) +
               (measured_with.empty() ? "" : "-" + setup_hash(definition, outcome.measured_with)),
           evidence_of(definition, row),
-          measured_with};
+          measured_with,
+          definition.tags};
 }
 
 // A row with a limit, a range or neither. A cost is measured on one machine and says nothing about
@@ -243,6 +244,8 @@ struct PresentRow {
   std::string name, unit;
   Verdict verdict;
   BaselineValue value;
+  const CaseDefinition* of_case = nullptr;  // none of a problem's
+  std::string candidate = {};
 };
 
 std::vector<PresentRow> present_rows(const JudgedCampaign& campaign) {
@@ -252,6 +255,8 @@ std::vector<PresentRow> present_rows(const JudgedCampaign& campaign) {
       rows.push_back({row_name(one.definition.name, outcome.row), outcome.row.unit, outcome.verdict,
                       baseline_value(outcome)});
       rows.back().value.terms = terms_of(one.definition, outcome);
+      rows.back().of_case = &one.definition;
+      rows.back().candidate = outcome.row.candidate;
     }
   for (const ProblemAssessment& one : campaign.problems)
     for (const ProblemGateOutcome& outcome : one.gate)
@@ -271,6 +276,19 @@ RowMovement movement_of(const PresentRow& row, const std::optional<BaselineValue
   return movement;
 }
 
+// Whether the selection leaves the row out, and would take it if its case had the tags that the
+// baseline records.
+bool has_lost_tag(const PresentRow& row, const Baseline& baseline, const JudgedCampaign& campaign) {
+  const auto before = baseline.find(row.name);
+  if (!campaign.selects || !row.of_case || before == baseline.end() || !before->second.terms)
+    return false;
+  CaseDefinition one = *row.of_case;
+  const RunDefinition& candidate = run_named(*row.of_case, row.candidate);
+  const bool is_selected = campaign.selects(one, candidate);
+  one.tags = before->second.terms->tags;
+  return !is_selected && campaign.selects(one, candidate);
+}
+
 // A record that is not supplied has no content, so that its setup says nothing.
 std::string terms_text(const RowTerms& before, const RowTerms& after, bool lacks_record) {
   std::string text;
@@ -288,6 +306,10 @@ std::string terms_text(const RowTerms& before, const RowTerms& after, bool lacks
   const bool is_alike = after.setup.starts_with(before.setup) ||
                         (!are_measured && before.setup.starts_with(after.setup));
   if (!lacks_record && !is_alike) text += ", the case or the settings of the row's runs are others";
+  if (!before.tags.empty() && before.tags != after.tags)
+    text +=
+        fmt::format(", tags: {} -> {}", fmt::join(before.tags, ", "),
+                    after.tags.empty() ? "none" : fmt::format("{}", fmt::join(after.tags, ", ")));
   return text;
 }
 
@@ -376,10 +398,13 @@ std::string row_name(const std::string& problem, const ProblemGateRow& row) {
 
 std::vector<RowMovement> movements(const Baseline& baseline, const JudgedCampaign& campaign) {
   std::vector<RowMovement> found;
-  std::set<std::string> kept;
+  std::set<std::string> kept, untagged;
   for (const PresentRow& row : present_rows(campaign)) {
     const bool left_out = row.verdict == Verdict::not_selected;
-    if (!left_out || campaign.is_partial) kept.insert(row.name);
+    if (left_out && has_lost_tag(row, baseline, campaign))
+      untagged.insert(row.name);
+    else if (!left_out || campaign.selects)
+      kept.insert(row.name);
     if (left_out) continue;
     const auto known = baseline.find(row.name);
     found.push_back(
@@ -387,7 +412,11 @@ std::vector<RowMovement> movements(const Baseline& baseline, const JudgedCampaig
   }
   for (const auto& [row, value] : baseline)
     if (!kept.contains(row))
-      found.push_back({.row = row, .unit = "", .before = value, .after = {}});
+      found.push_back({.row = row,
+                       .unit = "",
+                       .before = value,
+                       .after = {},
+                       .lost_tag = untagged.contains(row)});
   name_renamed_rows(found);
   return found;
 }
@@ -411,7 +440,11 @@ std::vector<BaselineChange> proposed_changes(const std::vector<RowMovement>& mov
 }
 
 std::string movement_text(const RowMovement& movement) {
-  const auto& [row, unit, before, after, uncertainties, loosened, verdict, other_name] = movement;
+  const auto& [row, unit, before, after, uncertainties, loosened, verdict, other_name, lost_tag] =
+      movement;
+  if (lost_tag)
+    return fmt::format("no row of this selection any more; its case had the tags {}",
+                       fmt::join(before->terms->tags, ", "));
   if (!after)
     return std::string("no row of this form any more") +
            (other_name.empty() ? "" : "; it may be " + other_name + " now");

@@ -7,6 +7,7 @@
 // a cost has its tolerance and its terms in the baseline, and no figure.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,9 +28,10 @@ struct RowMovement {
   bool loosened = false;  // whether the tolerance accepts more than before at either end
   Verdict verdict = Verdict::not_compared;  // of the row as it is now
   std::string other_name = {};  // of a lost row the new one, of a new row the lost one, if any fits
+  bool lost_tag = false;  // the row is there, but its case has no tag of the selection any more
 
-  // Whether this form of the campaign no longer has the row: nothing declares it, or the whole form
-  // leaves its run out.
+  // Whether this form of the campaign no longer has the row: nothing declares it, the whole form
+  // leaves its run out, or a selection does whose tag its case has lost.
   bool lost() const { return !after; }
   // Whether the row would have a value if the user had its record.
   bool lacks_record() const { return verdict == Verdict::not_supplied; }
@@ -40,11 +42,12 @@ struct RowMovement {
   bool loses_validation() const;
 };
 
-// What a campaign has come to, and whether it was judged whole or by a selection of its runs.
+// What a campaign has come to, and of one that was judged by a selection of its runs whether this
+// takes a run of a case with such tags.
 struct JudgedCampaign {
   const std::vector<CaseAssessment>& cases;
   const std::vector<ProblemAssessment>& problems;
-  bool is_partial = false;
+  std::function<bool(const CaseDefinition&, const RunDefinition&)> selects = {};
 };
 
 // The row's name in the campaign: "CASE: " and its name in the case (gate.hpp), or "PROBLEM: METRIC
@@ -53,7 +56,7 @@ std::string row_name(const std::string& case_name, const GateRow& row);
 std::string row_name(const std::string& problem, const ProblemGateRow& row);
 
 // Every row of the campaign, in its order, then those of the baseline that are lost. A row that a
-// selection leaves out keeps its baseline and is not among them.
+// selection leaves out keeps its baseline and is not among them, unless its case has lost the tag.
 std::vector<RowMovement> movements(const Baseline& baseline, const JudgedCampaign& campaign);
 
 // The changes of the rows that have changed. A row that has lost its value keeps its baseline: a

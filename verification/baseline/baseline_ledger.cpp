@@ -117,7 +117,7 @@ std::vector<Approval> read_ledger(const fs::path& file) try {
 } catch (const LedgerError&) {
   // An approval may write it at this moment.
   if (!fs::exists(beside(file, lock_suffix))) throw;
-  const FileLock alone(beside(file, lock_suffix));
+  const FileLock alone(beside(file, lock_suffix), telling_once("changes " + file.string()));
   return approvals_in(file);
 }
 
@@ -142,7 +142,7 @@ Baseline baseline_of(const std::vector<Approval>& approvals) {
 
 void append_approval(const Approval& approval, const fs::path& file) {
   try {
-    const FileLock alone(beside(file, lock_suffix));
+    const FileLock alone(beside(file, lock_suffix), telling_once("changes " + file.string()));
     std::vector<Approval> approvals = approvals_in(file);
     const std::string before = text_of(file);
     approvals.push_back(approval);
@@ -156,8 +156,6 @@ void append_approval(const Approval& approval, const fs::path& file) {
     write_ledger(file, before + line.dump() + "\n", approvals.size());
   } catch (const fs::filesystem_error& error) {
     throw LedgerError(error.what());
-  } catch (const Json::exception&) {  // written as JSON
-    throw LedgerError("--who and --reason: expected texts in UTF-8");
   }
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "verification/campaign/campaign_plan.hpp"
@@ -169,13 +170,22 @@ std::vector<JobState> run_jobs(const std::vector<Pending>& pending,
   // The jobs run side by side on the cores, with one thread each.
   setenv("OMP_NUM_THREADS", "1", 0);
   ProgressDisplay display(std::cerr, style_now_of(STDERR_FILENO), settings.at_once);
-  std::vector<JobState> states =
-      launch(jobs,
-             {.directory = settings.output / "jobs",
-              .tool = settings.executable,
-              .engine = settings.engine,
-              .at_once = settings.at_once},
-             stop, [&](const std::vector<JobState>& now) { display.show(now); });
+  std::set<std::string> told{""};
+  const auto show = [&](const std::vector<JobState>& now) {
+    for (const JobState& state : now)
+      if (state.phase == JobPhase::running && !state.progress)
+        if (const std::string text = awaited(state.job); told.insert(text).second) {
+          display.erase_live_lines();
+          std::cerr << text << "\n";
+        }
+    display.show(now);
+  };
+  std::vector<JobState> states = launch(jobs,
+                                        {.directory = settings.output / "jobs",
+                                         .tool = settings.executable,
+                                         .engine = settings.engine,
+                                         .at_once = settings.at_once},
+                                        stop, show);
   if (stop)
     throw InterruptedError("interrupted: what is finished is kept in " +
                            settings.store.root().string());
@@ -188,11 +198,12 @@ std::unique_ptr<FileLock> lock_output(const std::filesystem::path& output,
                                       const std::atomic<bool>& stop) {
   const std::filesystem::path file = output / "jobs/lock";
   require_own(file);
-  return std::make_unique<FileLock>(file, [&, told = false]() mutable {
-    if (stop) throw InterruptedError("interrupted: nothing was started");
-    if (!std::exchange(told, true))
-      std::cerr << "another start works in " << output.string() << "; waiting for it\n";
-  });
+  return std::make_unique<FileLock>(file,
+                                    [&stop, tell = telling_once("works in " + output.string())] {
+                                      if (stop)
+                                        throw InterruptedError("interrupted: nothing was started");
+                                      tell();
+                                    });
 }
 
 std::unique_ptr<FileLock> free_output(const std::filesystem::path& output) {

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "verification/files/file_lock.hpp"
 #include "verification/files/foreign/legible_text.hpp"
 #include "verification/files/foreign/plain_file.hpp"
 #include "verification/results/result_file.hpp"
@@ -73,6 +74,15 @@ RunFailure legible(const RunFailure& failure) {
 
 std::string first_error_line(const std::filesystem::path& log) {
   return legible_message(read_complaint(log).message);
+}
+
+std::string awaited(const Job& job) {
+  std::ifstream stream;
+  if (is_plain_file(job.log_file)) stream.open(job.log_file);
+  std::size_t lines = 0;
+  for (std::string line; lines < most_lines && std::getline(stream, line); ++lines)
+    if (line.ends_with(waiting_words)) return legible_message(job.name + ": " + line);
+  return "";
 }
 
 RunStatus status_without_result(const JobState& state, const std::filesystem::path& failure_file) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -508,6 +509,21 @@ inline const RunDefinition& run_named(const CaseDefinition& definition, const st
   for (const RunDefinition& run : definition.runs)
     if (run.name == name) return run;
   throw std::invalid_argument("case " + definition.name + " has no run " + name);
+}
+
+// [s], over which the row is judged: its part of the run, or else of a series of the candidate
+// alone the whole run and of any other metric the comparison's window.
+inline std::pair<double, double> judged_time(const GateRow& row, const CaseDefinition& definition) {
+  if (row.part) return *row.part;
+  if (metric_entry(row.metric).measured_on == MeasuredOn::own_series)
+    return {0, definition.duration};
+  return {definition.window_begin, definition.window_end};
+}
+
+// The case with that time as the comparison's window.
+inline CaseDefinition judged_over(const GateRow& row, CaseDefinition definition) {
+  std::tie(definition.window_begin, definition.window_end) = judged_time(row, definition);
+  return definition;
 }
 
 }  // namespace slosh

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "reports/summary/results_json.hpp"
 #include "verification/assessment/validity_envelope.hpp"
@@ -25,6 +26,7 @@
 #include "verification/cli/limit_option.hpp"
 #include "verification/cli/stored_run.hpp"
 #include "verification/evidence/case_evidence.hpp"
+#include "verification/evidence/soundness.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
@@ -169,6 +171,7 @@ void print(const Comparison& comparison) {
   std::cout << fmt::format("{} of {} against {}, {:.6g} to {:.6g} s\n", comparison.quantity,
                            comparison.candidate, comparison.reference, comparison.window.begin,
                            comparison.window.end);
+  for (const std::string& doubt : comparison.doubts) std::cout << "doubtful: " << doubt << "\n";
   if (comparison.unseen)
     std::cout << "not compared: " << unseen_text(*comparison.unseen, comparison.unit) << "\n";
   const std::string offset =
@@ -216,6 +219,7 @@ void write_json(const Comparison& comparison, const std::vector<GateOutcome>& ou
                 {"gate", Json::array()}};
   if (comparison.margin)
     document["comparison"]["outside_band"] = share_outside(*comparison.margin, comparison.window);
+  document["comparison"]["doubts"] = comparison.doubts;
   for (const GateOutcome& outcome : outcomes) document["gate"].push_back(outcome_entry(outcome));
   replace_named(file, document.dump(2) + "\n", "compare");
 }
@@ -285,6 +289,11 @@ ComparedFiles compared(const CompareOptions& options, const Installation& instal
     prepared.add_band({reference.at(quantity + lower_edge), reference.at(quantity + upper_edge)});
   Comparison comparison =
       compare(PreparedSeries("candidate", of_candidate, window, modes), prepared);
+  for (const auto& [role, result] : {std::pair("candidate", &candidate), {"reference", &reference}})
+    if (const std::string unsound =
+            soundness_doubts(*result, window, !definition || definition->gravity > 0);
+        !unsound.empty())
+      comparison.doubts.push_back(fmt::format("the {} is not sound: {}", role, unsound));
   comparison.candidate = options.candidate.string();
   comparison.reference =
       options.reference.empty() ? reference.run_name : options.reference.string();

@@ -116,6 +116,7 @@ int dispatch(int argc, char** argv) {
 int main(int argc, char** argv) {
   open_closed_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is a write error, like a full disk
+  std::signal(SIGCHLD, SIG_DFL);  // a parent that ignores it would hide the ends and costs of runs
   use_no_locale();
   bound_waiting_of_threads(argv);
   try {

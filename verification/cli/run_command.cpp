@@ -179,11 +179,8 @@ std::optional<FileLock> lock_work_directory(const RunDefinition& run, const RunS
     return {};
   const fs::path file = settings.work_directory / "lock";
   require_own(file);
-  return std::optional<FileLock>(std::in_place, file, [&, told = false]() mutable {
-    if (!std::exchange(told, true))
-      std::cerr << "another start works in " << settings.work_directory.string()
-                << "; waiting for it\n";
-  });
+  return std::optional<FileLock>(std::in_place, file,
+                                 telling_once("works in " + settings.work_directory.string()));
 }
 
 int run_one(const RunOptions& options, const Installation& installation) {

@@ -57,10 +57,7 @@ void if_free(const ResultStore& store, const std::string& key, const std::functi
 template <class Result, class Read, class Write>
 void keep(const ResultStore& store, const std::string& key, const char* extension, Read read,
           Write write, const std::function<Result()>& compute) {
-  const StoreLock lock(store, key, [told = false]() mutable {
-    if (!std::exchange(told, true))
-      std::cerr << "another start computes this result; waiting for it\n";
-  });
+  const StoreLock lock(store, key, telling_once("computes this result"));
   const fs::path file = store.file(key, extension);
   if (!kept(store, key, extension, read)) try {
       write(compute(), file);
@@ -114,7 +111,7 @@ RunResult named_result(const fs::path& file) {
 
 void time_run(const ResultStore& store, const std::string& key, double longest,
               const std::function<RunResult()>& compute) {
-  const StoreLock lock(store, key);
+  const StoreLock lock(store, key, telling_once("computes this result"));
   if (!fs::exists(store.file(key, ".h5"))) {
     std::cout << "there is no result whose run could be repeated\n";
     return;

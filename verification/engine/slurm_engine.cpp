@@ -23,6 +23,7 @@
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/child_process.hpp"
 #include "verification/files/content_hash.hpp"
+#include "verification/files/file_lock.hpp"
 #include "verification/files/foreign/json_text.hpp"
 
 namespace slosh {
@@ -261,9 +262,11 @@ void wait_for_earlier_arrays(const fs::path& directory, const std::atomic<bool>&
   const fs::path file = directory / arrays_name;
   if (!fs::exists(file)) return;
   const std::vector<std::string> ids = parsed_json<nlohmann::json>(read_bytes(file));
+  const auto tell = telling_once("has jobs in the queue of Slurm");
   // A controller that has just been started knows of no job yet.
   for (int empty = 0; empty < 3 && !stop;) {
     const auto queued = queued_tasks(ids);
+    if (queued && !queued->empty()) tell();
     empty = queued && queued->empty() ? empty + 1 : 0;
     std::this_thread::sleep_for(queue_interval);
   }

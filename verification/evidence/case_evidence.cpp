@@ -7,7 +7,6 @@
 #include <cstring>
 
 #include "verification/case/ensemble.hpp"
-#include "verification/case/judged_time.hpp"
 #include "verification/case/metric_table.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/quantities.hpp"

@@ -10,8 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "verification/case/judged_time.hpp"
-
 namespace slosh {
 namespace {
 
@@ -53,35 +51,20 @@ double usual_largest_until_end(const TimeSeries& series, TimeWindow window) {
   return inside >= until || std::isnan(inside) ? inside : until;
 }
 
-std::string doubts_of(const CaseDefinition& definition, const RunResult& result) {
-  const TimeWindow window{definition.window_begin, definition.window_end};
-  std::vector<std::string> doubts;
-  for (const auto& [recorded, name, limit] : soundness_limits) {
-    double value = 0;
-    for (const TimeSeries& series : result.series)
-      if (series.name == recorded && !series.value.empty())
-        value = usual_largest_until_end(series, window);
-    if (const auto fact = result.diagnostics.find(recorded); fact != result.diagnostics.end())
-      value = fact->second;
-    const bool has_scale = definition.gravity > 0 || recorded != std::string("tension_share");
-    if (!(value <= limit) && has_scale)
-      doubts.push_back(fmt::format("its {} is {:.2g}, limit {:.2g}", name, value, limit));
-  }
-  return fmt::format("{}", fmt::join(doubts, ", "));
-}
-
 // Adds the doubts of the runs of these names by name, of an ensemble those of the first that has
 // any, unless they are told already.
 void add_unsound(const CaseDefinition& definition, const CaseRuns& runs,
                  const std::set<std::string>& named,
                  std::vector<std::pair<std::string, std::string>>& told) {
+  const TimeWindow window{definition.window_begin, definition.window_end};
   for (const RunDefinition& run : definition.runs) {
     const auto result = runs.results.find(run.name);
     const std::string& group = run.ensemble.empty() ? run.name : run.ensemble;
     const bool is_named = named.contains(run.name) || named.contains(group);
     const bool is_told = std::ranges::any_of(told, [&](auto& one) { return one.first == group; });
     if (!is_named || is_told || result == runs.results.end()) continue;
-    if (const std::string doubts = doubts_of(definition, result->second); !doubts.empty())
+    const std::string doubts = soundness_doubts(result->second, window, definition.gravity > 0);
+    if (!doubts.empty())
       told.emplace_back(group, fmt::format("{} is not sound: {}", run.name, doubts));
   }
 }
@@ -93,6 +76,22 @@ std::string joined(const std::vector<std::pair<std::string, std::string>>& told)
 }
 
 }  // namespace
+
+std::string soundness_doubts(const RunResult& result, TimeWindow window, bool has_gravity) {
+  std::vector<std::string> doubts;
+  for (const auto& [recorded, name, limit] : soundness_limits) {
+    double value = 0;
+    for (const TimeSeries& series : result.series)
+      if (series.name == recorded && !series.value.empty())
+        value = usual_largest_until_end(series, window);
+    if (const auto fact = result.diagnostics.find(recorded); fact != result.diagnostics.end())
+      value = fact->second;
+    const bool has_scale = has_gravity || recorded != std::string("tension_share");
+    if (!(value <= limit) && has_scale)
+      doubts.push_back(fmt::format("its {} is {:.2g}, limit {:.2g}", name, value, limit));
+  }
+  return fmt::format("{}", fmt::join(doubts, ", "));
+}
 
 std::string soundness_doubt(const CaseDefinition& definition, const CaseRuns& runs,
                             const std::set<std::string>& named) {

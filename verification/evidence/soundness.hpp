@@ -18,6 +18,10 @@ namespace slosh {
 std::string soundness_doubt(const CaseDefinition& definition, const CaseRuns& runs,
                             const std::set<std::string>& named);
 
+// "its Mach number but for 5 % of the time is 0.42, limit 0.2", the same of one result over a
+// window.
+std::string soundness_doubts(const RunResult& result, TimeWindow window, bool has_gravity);
+
 // "doubtful: CASE: " and that of the runs that the case's rows judge, each over the row's time; ""
 // where they are sound.
 std::string doubtful_runs(const CaseDefinition& definition, const CaseRuns& runs);

@@ -38,6 +38,7 @@ using Clock = std::chrono::steady_clock;
 // A process that does not end on SIGKILL waits for a device, and another may hold a lock: this
 // process does not wait for them.
 constexpr auto patience = 5s;
+constexpr auto usual_choice = 300ms;  // far longer than a child takes to start
 
 using LogFile = std::unique_ptr<FILE, int (*)(FILE*)>;
 
@@ -93,12 +94,19 @@ void take_choice_of_cores(std::optional<FileLock>& choice) {
   struct TooLong {};
   const auto begin = Clock::now();
   try {
-    choice.emplace(directory / "cores.lock", [begin] {
+    choice.emplace(directory / "cores.lock", [begin, tell = telling_once("chooses its cores")] {
       if (Clock::now() - begin > patience) throw TooLong();
+      if (Clock::now() - begin > usual_choice) tell();
     });
   } catch (const TooLong&) {
   } catch (const std::filesystem::filesystem_error&) {
   }
+}
+
+// The kernel's own threads have no command line: most are bound to a core and do not use it.
+bool has_command_line(const std::filesystem::path& process) {
+  std::ifstream stream(process / "cmdline");
+  return stream.peek() != std::ifstream::traits_type::eof();
 }
 
 // Adopted processes have lost their parent and became children of this process: what a child has
@@ -283,16 +291,6 @@ Cores least_bound(const Cores& cores, const std::vector<Cores>& of_others, int w
   std::sort(chosen.begin(), chosen.end());
   return chosen;
 }
-
-namespace {
-
-// The kernel's own threads have no command line: most are bound to a core and do not use it.
-bool has_command_line(const std::filesystem::path& process) {
-  std::ifstream stream(process / "cmdline");
-  return stream.peek() != std::ifstream::traits_type::eof();
-}
-
-}  // namespace
 
 Cores least_bound_cores(int wanted) {
   std::vector<Cores> of_others;

@@ -7,8 +7,10 @@
 
 #include <cerrno>
 #include <chrono>
+#include <iostream>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 namespace slosh {
 namespace {
@@ -39,6 +41,12 @@ void wait_for(int descriptor, const fs::path& file, const std::function<void()>&
 }
 
 }  // namespace
+
+std::function<void()> telling_once(const std::string& does) {
+  return [does, told = false]() mutable {
+    if (!std::exchange(told, true)) std::cerr << "another start " + does + waiting_words + "\n";
+  };
+}
 
 FileLock::FileLock(const fs::path& file, const std::function<void()>& waiting) {
   if (file.has_parent_path()) fs::create_directories(file.parent_path());

@@ -3,8 +3,15 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 namespace slosh {
+
+// What a start says on standard error once it waits: "another start works in DIR; waiting for it".
+// The campaign that has started it finds these words in its log.
+inline constexpr const char* waiting_words = "; waiting for it";
+// Says so when it is first called, of another start that `does` this.
+std::function<void()> telling_once(const std::string& does);
 
 class FileLock {
  public:

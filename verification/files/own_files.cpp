@@ -102,12 +102,14 @@ std::optional<fs::path> foreign_at(const fs::path& path, const Identities& liste
   const std::set<std::string> known =
       found == listed.end() ? std::set<std::string>() : found->second;
   if (!fs::exists(status)) return std::nullopt;
-  if (fs::is_directory(status)) {
-    const Identities inside = listed_in(path);
-    for (const auto& entry : fs::directory_iterator(path))
-      if (auto foreign = foreign_at(entry.path(), inside, "")) return foreign;
-    return std::nullopt;
-  }
+  if (fs::is_directory(status)) try {
+      const Identities inside = listed_in(path);
+      for (const auto& entry : fs::directory_iterator(path))
+        if (auto foreign = foreign_at(entry.path(), inside, "")) return foreign;
+      return std::nullopt;
+    } catch (const fs::filesystem_error&) {  // it cannot be read, as below the longest path
+      return path;
+    }
   const bool is_lock = path.filename() == "lock" && fs::is_regular_file(status) &&
                        fs::file_size(path) == 0;  // file_lock.hpp
   const bool is_list = fs::is_regular_file(status) && path.filename() == list_name;

@@ -31,21 +31,18 @@ int block_count(double duration, double longest_period) {
   return periods >= fewest_blocks ? static_cast<int>(std::min<double>(periods, most_blocks)) : 1;
 }
 
+double jackknife_half_width(const std::vector<double>& without) {
+  const double freedom = static_cast<double>(without.size()) - 1;
+  return t95(freedom) * std::sqrt(freedom) * rms(without_mean(without));
+}
+
 Estimate block_jackknife(const std::vector<BlockIntegrals>& blocks,
                          const std::function<double(const BlockIntegrals&)>& of) {
   const double value = of(sum_without(blocks, blocks.size()));
   if (blocks.size() < 2) return {value, 0};
-  const double count = static_cast<double>(blocks.size());
   std::vector<double> without;
-  double mean = 0;
-  for (std::size_t j = 0; j < blocks.size(); ++j) {
-    without.push_back(of(sum_without(blocks, j)));
-    mean += without.back() / count;
-  }
-  double squares = 0;
-  for (const double one : without) squares += (one - mean) * (one - mean);
-  const double t = t95(count - 1);
-  return {value, t * std::sqrt((count - 1) / count * squares)};
+  for (std::size_t j = 0; j < blocks.size(); ++j) without.push_back(of(sum_without(blocks, j)));
+  return {value, jackknife_half_width(without)};
 }
 
 }  // namespace slosh

@@ -29,6 +29,9 @@ inline constexpr int fewest_blocks = 3, most_blocks = 8;
 // below fewest_blocks.
 int block_count(double duration, double longest_period);
 
+// The half width from the values theta_j that are left without one block each, of two or more.
+double jackknife_half_width(const std::vector<double>& without);
+
 // The value of `of` for the sum of all blocks, with its interval. A single block has a half width
 // of zero: its interval is unknown.
 Estimate block_jackknife(const std::vector<BlockIntegrals>& blocks,

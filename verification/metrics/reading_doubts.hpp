@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/series/sensor_limits.hpp"
+#include "verification/series/readings/sensor_limits.hpp"
 
 namespace slosh {
 

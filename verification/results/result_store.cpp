@@ -53,12 +53,15 @@ std::string answer_in(const std::string& file_name) {
   return file_name.substr(begin, file_name.find('.', begin) - begin);
 }
 
+// Of what can be read: nothing of what lies deeper than a path reaches.
 std::uintmax_t size_of(const fs::path& path) {
-  if (fs::is_symlink(path)) return 0;
-  if (fs::is_regular_file(path)) return fs::file_size(path);
-  std::uintmax_t size = 0;
-  if (fs::is_directory(path))
-    for (const auto& entry : fs::directory_iterator(path)) size += size_of(entry);
+  std::error_code lost;
+  const fs::file_status status = fs::symlink_status(path, lost);
+  std::uintmax_t size = fs::is_regular_file(status) ? fs::file_size(path, lost) : 0;
+  if (lost) return 0;
+  if (fs::is_directory(status))
+    for (fs::directory_iterator entry(path, lost), end; entry != end; entry.increment(lost))
+      size += size_of(*entry);
   return size;
 }
 
@@ -85,10 +88,11 @@ std::optional<fs::path> ResultStore::newest_file(const std::string& key,
 std::vector<std::string> ResultStore::keys() const {
   std::set<std::string> found;
   if (!fs::is_directory(root_)) return {};
+  constexpr auto skip = fs::directory_options::skip_permission_denied;
   for (const auto& question : fs::directory_iterator(root_)) {
     const std::string name = question.path().filename().string();
     if (!is_half(name) || !question.is_directory()) continue;
-    for (const auto& entry : fs::directory_iterator(question)) {
+    for (const auto& entry : fs::directory_iterator(question, skip)) {
       const std::string answer = answer_in(entry.path().filename().string());
       if (is_half(answer) && entry.path().filename() != answer + lock_extension)
         found.insert(fmt::format("{}-{}", name, answer));
@@ -121,7 +125,7 @@ std::uintmax_t ResultStore::size(const std::string& key) const {
   return size;
 }
 
-bool ResultStore::has_made(const std::string& key, const fs::path& path) const {
+bool ResultStore::has_made(const std::string& key, const fs::path& path) const try {
   const std::string name = path.filename().string(), answer = answer_of(key);
   const auto is = [&](const char* extension) { return name == answer + extension; };
   const fs::file_status status = fs::symlink_status(path);
@@ -133,6 +137,8 @@ bool ResultStore::has_made(const std::string& key, const fs::path& path) const {
   return (is(".h5") && holds_key && is_sealed(bytes)) ||
          (((is(".json") && holds_key) || is(".timings.json") || is(".failure.json")) &&
           is_sealed_json(bytes));
+} catch (const fs::filesystem_error&) {  // it cannot be read
+  return false;
 }
 
 StoreContents ResultStore::contents(const std::string& key) const {

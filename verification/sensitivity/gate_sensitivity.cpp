@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "verification/case/ensemble.hpp"
-#include "verification/case/judged_time.hpp"
+#include "verification/case/metric_table.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/gate/impact_metrics.hpp"

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "verification/results/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
 namespace slosh::external_run_test {
@@ -381,6 +382,23 @@ TEST_F(ExternalRun, EndsWithTheRunThatStartedIt) {
   // Gone, or dead and waiting for whoever adopts orphans.
   const std::string status = read("/proc/" + std::to_string(sleeper) + "/status");
   EXPECT_TRUE(::kill(sleeper, 0) != 0 || status.find("State:\tZ") != std::string::npos);
+}
+
+TEST_F(ExternalRun, IsCountedWhereTheParentOfSloshIgnoresTheEndOfChildren) {
+  namespace fs = std::filesystem;
+  write_campaign(with(own_case("\"scaled\", \"1.01\""), "[\"" STAND_IN_SOLVER "\"",
+                      "[\"./works.sh\", \"" STAND_IN_SOLVER "\""));
+  write("works.sh", "#!/bin/sh\ni=0\nwhile [ $i -lt 300000 ]; do i=$((i + 1)); done\n\"$@\"\n");
+  fs::permissions(directory() / "works.sh", fs::perms::owner_all);
+  const auto cost = [&](const std::vector<std::string>& before) {
+    std::vector<std::string> words = before;
+    words.insert(words.end(), {SLOSH_TOOL, "run", "./small.toml", "mine", "-o", "mine.h5"});
+    const Ended ended = end_of(start("/usr/bin/env", words));
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    return read_result(directory() / "mine.h5").cost.core_seconds();
+  };
+  const double usual = cost({});
+  EXPECT_GT(cost({"--ignore-signal=CHLD"}), 0.7 * usual);
 }
 
 // A process in a session of its own hears no signal to the program's group.

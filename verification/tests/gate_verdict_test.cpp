@@ -204,6 +204,25 @@ TEST_F(GateVerdict, NamesTheRowsThatWereLostAndEndsWithFiveUntilTheyAreApproved)
   EXPECT_FALSE(holds(approved.out, "since the baseline:"));
 }
 
+TEST_F(GateVerdict, OfATagTellsThatACaseHasLostIt) {
+  const auto write_cases = [&](const std::string& tags) {
+    const std::string tagged = with(own_case, "tags = []", "tags = [\"wave\"]");
+    write("small.toml", tagged);
+    write("other.toml", with(with(tagged, "\"small\"", "\"other\""), "[\"wave\"]", tags));
+  };
+  write_cases("[\"wave\"]");
+  write("surges.toml",
+        with(read("surges.toml"), "[\"./small.toml\"]", "[\"./small.toml\", \"./other.toml\"]"));
+  ASSERT_EQ(campaign().status, 0);
+  approve({"--new"});
+  EXPECT_EQ(gate({"--tag", "wave"}).status, 0);
+  write_cases("[]");
+  const Ended lost = gate({"--tag", "wave", "--inconclusive-exit", "0"});
+  EXPECT_EQ(lost.status, 5) << lost.out;
+  for (const std::string& text : {lost.out, read("out/selected/gate/gate.md")})
+    EXPECT_TRUE(holds(text, "no row of this selection any more; its case had the tags wave"));
+}
+
 TEST_F(GateVerdict, NamesARunThatHasAnotherName) {
   ASSERT_EQ(campaign().status, 0);
   approve({"--new"});

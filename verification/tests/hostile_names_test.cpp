@@ -1,6 +1,8 @@
 // Texts and paths that a shell, gnuplot or OpenFOAM would run or trip over.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "verification/results/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
@@ -47,6 +49,13 @@ TEST_F(HostileNames, RunNothingFromTextsAndPathsOfACampaign) {
   EXPECT_EQ(on_ledger({"baseline", "propose", "--new"}).status, 0);
   EXPECT_EQ(
       on_ledger({"baseline", "approve", "--new", "--who", hostile, "--reason", hostile}).status, 0);
+  for (const char* option : {"--who", "--reason"}) {
+    std::vector<std::string> words{"baseline", "approve", "--who", "A", "--reason", "B"};
+    *(std::find(words.begin(), words.end(), option) + 1) = "Jos\xe9";
+    const Ended latin = on_ledger(words);
+    EXPECT_EQ(latin.status, 2) << latin.err;
+    EXPECT_TRUE(holds(latin.err, option + std::string(": Jos\uFFFD: expected a text in UTF-8")));
+  }
   const Ended gate = on_ledger({"gate"});
   EXPECT_EQ(gate.status, 0) << gate.err << gate.out;
   EXPECT_TRUE(fs::exists(place() / "out/report/index.html"));

@@ -1,6 +1,10 @@
 // What the store shares: a result of `slosh run` with campaigns, and the room of old ones.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <optional>
+
+#include "verification/files/file_lock.hpp"
 #include "verification/results/result_file.hpp"
 #include "verification/tests/small_campaign.hpp"
 
@@ -93,6 +97,55 @@ TEST_F(ToolStore, KeepsWhatOnlyLooksLikeAResultAndSaysSo) {
     EXPECT_FALSE(holds(ended.out, "\x1b"));
     EXPECT_FALSE(holds(ended.out, "removed  "));
   }
+}
+
+// At once and once, whether the other start holds the result or the output.
+TEST_F(ToolStore, LetsACampaignSayWhatItWaitsFor) {
+  ASSERT_EQ(campaign().status, 0);
+  const fs::path kept = fs::canonical(result("theory")), out = directory() / "out";
+  for (const auto& [lock, words] :
+       {std::pair(fs::path(kept).replace_extension(".lock"),
+                  std::string("small/theory: another start computes this result")),
+        {out / "jobs/lock", "another start works in " + out.string()}}) {
+    fs::remove(kept);
+    auto held = std::make_optional<FileLock>(lock);
+    auto gate = start_tool({"gate", "./surges.toml", "-o", "out"});
+    const fs::path err = directory().parent_path() / "err";
+    const std::string told = words + "; waiting for it\n";
+    for (int i = 0; i < 1000 && read(err).find(told) == std::string::npos; ++i) ::usleep(10'000);
+    ::usleep(500'000);
+    EXPECT_EQ(read(err), told);
+    held.reset();
+    const Ended ended = end_of(std::move(gate));
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_TRUE(begins(ended.err, told));
+    EXPECT_EQ(ended.err.find(told, 1), std::string::npos);
+  }
+}
+
+// Of a tree whose paths are longer than the system allows, and of a file of holes.
+TEST_F(ToolStore, NamesAndKeepsWhatCannotBeRead) {
+  const fs::path question = store() / std::string(32, 'a'),
+                 deep = question / (std::string(32, '0') + ".work"),
+                 huge = question / (std::string(32, '1') + ".h5");
+  fs::create_directories(deep);
+  std::ofstream(huge) << "holes";
+  fs::resize_file(huge, 2'000'000'000);
+  const fs::path here = fs::current_path();
+  fs::current_path(deep);
+  for (int level = 0; level < 30; ++level) {
+    fs::create_directory(std::string(200, 'd'));
+    fs::current_path(std::string(200, 'd'));
+  }
+  fs::current_path(here);
+  for (const char* words : {"store", "store --total", "store --remove"}) {
+    const Ended ended = typed(words);
+    EXPECT_EQ(ended.status, 0) << words << ended.err;
+    for (const fs::path& kept : {deep, huge})
+      EXPECT_EQ(ended.out.find("kept       " + kept.string()) == std::string::npos,
+                words == std::string("store --total"));
+  }
+  EXPECT_TRUE(fs::exists(deep) && fs::exists(huge));
 }
 
 }  // namespace

@@ -271,6 +271,16 @@ TEST_F(Tool, ComparesAPlainTableWithTheTheoryThatItComputesItself) {
       typed("compare theory.csv --case ./small.toml --gauge right --limit amplitude_error=0.001");
   EXPECT_EQ(same.status, 0) << same.err;
   EXPECT_TRUE(holds(same.out, "elevation@right of theory.csv against theory, 1 to 8 s"));
+  RunResult fast = read_result(directory() / "theory.h5");
+  fast.series.push_back({"mach_number", "1", {0, 4, 8}, {0.5, 0.5, 0.5}});
+  write_result(fast, directory() / "fast.h5");
+  const Ended unsound = typed(
+      "compare fast.h5 theory.h5 --case ./small.toml --gauge right --limit amplitude_error=0.001 "
+      "--json fast.json");
+  EXPECT_EQ(unsound.status, 5) << unsound.out;
+  const std::string doubt = "the candidate is not sound: its Mach number but for 5 % of the time";
+  EXPECT_TRUE(holds(unsound.out, "doubtful: " + doubt)) << unsound.out;
+  EXPECT_TRUE(holds(read("fast.json"), doubt));
   std::string high = "time [ms],mine [mm]\n";  // by a tenth, in units of its own
   std::istringstream rows(read("theory.csv"));
   std::string row;

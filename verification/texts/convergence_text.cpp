@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
+
+#include "verification/evidence/soundness.hpp"
 
 namespace slosh {
 namespace {
@@ -42,6 +45,13 @@ std::string run_text(const std::string& run, const CaseRuns& runs) {
   return text + "\n";
 }
 
+// Of all runs of the study: the order rests on each.
+std::string unsound_runs(const ConvergenceStudy& study) {
+  std::set<std::string> named;
+  for (const RunDefinition& run : study.assessment.definition.runs) named.insert(run.name);
+  return soundness_doubt(study.assessment.definition, study.assessment.runs, named);
+}
+
 ordered_json number_or_null(const std::optional<double>& number) {
   return number ? ordered_json(*number) : ordered_json(nullptr);
 }
@@ -74,6 +84,8 @@ std::string text_of(const ConvergenceStudy& study) {
                                  study.question.reference);
   for (const RunDefinition& run : definition.runs)
     text += run_text(run.name, study.assessment.runs);
+  if (const std::string doubts = unsound_runs(study); !doubts.empty())
+    text += "doubtful: " + doubts + "\n";
   for (const ConvergedMetric& metric : study.found.metrics) text += metric_text(metric);
   for (const std::string& one : study.found.not_measured) text += "\nnot measured: " + one + "\n";
   return text;
@@ -84,6 +96,7 @@ std::string json_of(const ConvergenceStudy& study) {
                         {"case_file", study.assessment.definition.file.string()},
                         {"quantity", study.question.quantity},
                         {"reference", study.question.reference},
+                        {"doubtful", unsound_runs(study)},
                         {"metrics", ordered_json::array()},
                         {"not_measured", study.found.not_measured}};
   for (const ConvergedMetric& metric : study.found.metrics)

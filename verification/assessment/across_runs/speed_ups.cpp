@@ -9,7 +9,6 @@
 
 #include "verification/assessment/work_points.hpp"
 #include "verification/fits/block_jackknife.hpp"
-#include "verification/series/sample_moments.hpp"
 
 namespace slosh {
 namespace {
@@ -99,8 +98,7 @@ bool add_spread_of_windows(const CaseAssessment& assessment, const WorkFamily& f
     if (!one) return false;
     ratios.push_back(std::log(one->value));
   }
-  speed.spread = std::hypot(speed.spread,
-                            t95(blocks - 1) * std::sqrt(blocks - 1.0) * rms(without_mean(ratios)));
+  speed.spread = std::hypot(speed.spread, jackknife_half_width(ratios));
   return true;
 }
 

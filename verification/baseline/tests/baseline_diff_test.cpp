@@ -45,7 +45,12 @@ const Baseline baseline{{amplitude_row, {0.01, 0.003, -0.05, 0.05}}};
 
 std::vector<RowMovement> moved_in(const Baseline& before, const std::vector<CaseAssessment>& cases,
                                   bool is_partial = false) {
-  return movements(before, {cases, {}, is_partial});
+  JudgedCampaign judged{cases, {}};
+  if (is_partial)
+    judged.selects = [](const CaseDefinition& of, const RunDefinition&) {
+      return of.tags == std::vector<std::string>{"wave"};
+    };
+  return movements(before, judged);
 }
 
 RowMovement movement(const GateOutcome& row) { return moved_in(baseline, campaign(row)).at(0); }
@@ -208,6 +213,29 @@ TEST(BaselineDiff, ARowThatTheWholeFormLeavesOutIsLost) {
   ASSERT_EQ(moved.size(), 1U);
   EXPECT_TRUE(moved[0].lost());
   EXPECT_TRUE(moved[0].loses_validation());
+}
+
+TEST(BaselineDiff, ARowWhoseCaseHasLostTheTagOfTheSelectionIsLost) {
+  std::vector<CaseAssessment> now = campaign(outcome(0.01, 0.003, 0.05));
+  RunDefinition candidate{};
+  candidate.name = now[0].gate[0].row.candidate;
+  now[0].definition.runs = {candidate};
+  now[0].definition.tags = {"wave"};
+  Baseline before{{amplitude_row, *moved_in({}, now).at(0).after}};
+  EXPECT_FALSE(moved_in(before, now, true).at(0).has_changed());
+  now[0].definition.tags = {};
+  EXPECT_NE(movement_text(moved_in(before, now).at(0)).find(", tags: wave -> none"),
+            std::string::npos);
+  now[0].gate[0].verdict = Verdict::not_selected;
+  const auto moved = moved_in(before, now, true);
+  ASSERT_EQ(moved.size(), 1U);
+  EXPECT_TRUE(moved[0].loses_validation());
+  EXPECT_EQ(movement_text(moved[0]),
+            "no row of this selection any more; its case had the tags wave");
+  before.begin()->second.terms->tags = {"roll"};
+  EXPECT_TRUE(moved_in(before, now, true).empty()) << "the selection never had it";
+  before.begin()->second.terms->tags = {};  // an older ledger
+  EXPECT_TRUE(moved_in(before, now, true).empty());
 }
 
 TEST(BaselineDiff, ProposesToForgetARowThatIsNoLongerDeclared) {

@@ -8,6 +8,7 @@
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/cli/campaign/requested_campaign.hpp"
+#include "verification/files/foreign/legible_text.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/results/provenance.hpp"
@@ -150,12 +151,19 @@ void add_baseline_commands(const CommandTree& tree) {
   add_new_ledger_option(*diff, *diff_options);
   add_new_ledger_option(*propose, *propose_options);
   add_new_ledger_option(*approve, *approve_options);
-  const CLI::Validator not_empty(
-      [](const std::string& text) { return text.empty() ? "expected a text" : std::string(); }, "");
-  approve->add_option("--who", approval->who, "Who approves it")->required()->check(not_empty);
+  // Takes out what no terminal should get, as of all texts of others.
+  const CLI::Validator printed(
+      [](std::string& text) {
+        text = legible(text);
+        return !text.empty() && text.find("\uFFFD") == text.npos
+                   ? std::string()
+                   : legible_message(text) + ": expected a text in UTF-8";
+      },
+      "");
+  approve->add_option("--who", approval->who, "Who approves it")->required()->transform(printed);
   approve->add_option("--reason", approval->reason, "Why the results may change")
       ->required()
-      ->check(not_empty);
+      ->transform(printed);
 }
 
 }  // namespace slosh

@@ -62,8 +62,12 @@ int judge_campaign(RequestedCampaign campaign, const fs::path& ledger, const Gat
   const Baseline baseline = baseline_of(approvals);
   start.earlier.begin({std::string("gate/") + junit_name, std::string("gate/") + gate_page_name});
   const AssessedCampaign assessed = assess(std::move(campaign), start.stop);
-  GateFindings findings{.movements = movements(baseline, {assessed.cases, assessed.problems,
-                                                          start.options.selection.is_partial()}),
+  JudgedCampaign judged{assessed.cases, assessed.problems};
+  if (const RunSelection& selection = start.options.selection; selection.is_partial())
+    judged.selects = [&selection](const CaseDefinition& of, const RunDefinition& run) {
+      return is_selected(selection, of, run);
+    };
+  GateFindings findings{.movements = movements(baseline, judged),
                         .has_baseline = !approvals.empty(),
                         .inconclusive_passes = start.options.inconclusive_exit == exit_pass};
   findings.status = status_of(assessed, findings.movements);

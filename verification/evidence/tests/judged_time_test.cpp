@@ -1,7 +1,5 @@
 // The time over which rows are judged, on the small surge of surge_results.hpp, whose window is
 // that from 1 to 20 s.
-#include "verification/case/judged_time.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,9 +1,11 @@
 #include "verification/files/child_process.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -45,6 +47,36 @@ TEST(ChildProcess, InOneThreadIsNotTakenForOneThatAnotherHasLeftBehind) {
     });
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(failed, 0);
+}
+
+double time_of_children() {
+  rusage usage;
+  ::getrusage(RUSAGE_CHILDREN, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * usage.ru_utime.tv_usec;
+}
+
+// Starts a program as a shell does, and waits for it in the foreground or the background, in a
+// session of its own, as its orphan by a file that it leaves, or not at all.
+TEST(ChildProcess, CountsTheTimeOfAllThatItStarts) {
+  const TemporaryDirectory directory;
+  const auto time_of = [&](const std::string& script) {
+    const double before = time_of_children();
+    std::filesystem::remove(directory.path() / "done");
+    {
+      ChildProcess child({"/bin/sh", "-c", script}, {.directory = directory.path()});
+      EXPECT_TRUE(child.ends_within(60s));
+    }
+    return time_of_children() - before;
+  };
+  std::ofstream(directory.path() / "works")
+      << "i=0; while [ $i -lt 150000 ]; do i=$((i+1)); done; echo > done";
+  const double whole = time_of("sh ./works");
+  for (const char* script :
+       {"sh ./works & wait", "setsid --wait sh ./works", "sh -c 'sh ./works & wait' & wait",
+        "(setsid sh ./works &); while ! test -s done; do sleep 0.02; done",
+        "(sh ./works &); while ! test -s done; do sleep 0.02; done",
+        "setsid sh -c '. ./works; sleep 60' & while ! test -s done; do sleep 0.02; done"})
+    EXPECT_GT(time_of(script), 0.7 * whole) << script;
 }
 
 // Which cores a process is bound to, beside others that are bound.

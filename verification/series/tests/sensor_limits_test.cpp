@@ -1,4 +1,4 @@
-#include "verification/series/sensor_limits.hpp"
+#include "verification/series/readings/sensor_limits.hpp"
 
 #include <gtest/gtest.h>
 
@@ -277,6 +277,39 @@ TEST(SensorLimits, FindIsolatedReadingsAndAClippedCrestBelowASpike) {
     EXPECT_EQ(found.lowest->value, -0.8);
     EXPECT_FALSE(found.isolated);  // of 1000 readings, too few to matter
   }
+}
+
+// A sensor whose range was switched, and one whose filter overshoots at the edges of each flat.
+TEST(SensorLimits, FindCrestsThatAreCutOffBelowTheHighestValue) {
+  for (const double interval : {0.01, 0.02})
+    for (const double cut : {0.1, 0.3})
+      for (const double noise : {0.0, 5e-4}) {
+        std::mt19937 generator(2);
+        std::normal_distribution<double> normal;
+        const auto noisy = [&](double value) { return value + noise * normal(generator); };
+        const auto switched = [&](double t) {
+          return noisy(t < 10 ? std::min(wave(t), 1 - cut) : wave(t));
+        };
+        const SensorLimits half = limits_of_all(sampled(switched, 0, 20, interval));
+        ASSERT_TRUE(half.highest) << interval << " " << cut << " " << noise;
+        EXPECT_NEAR(half.highest->value, 1 - cut, 0.01);
+        EXPECT_LT(half.highest->end, 10.1);
+        EXPECT_FALSE(half.lowest);
+        for (const std::size_t samples : {1U, 2U}) {
+          std::size_t above = 0, below = 0;
+          const auto ringing = [&](double t) {
+            above = wave(t) > 1 - cut ? above + 1 : 0;
+            below = wave(t) < cut - 1 ? below + 1 : 0;
+            const double over = above + below > 0 && above + below <= samples ? 0.06 : 0;
+            const double value = std::clamp(wave(t), cut - 1, 1 - cut);
+            return noisy(value + (value > 0 ? over : -over));
+          };
+          const SensorLimits found = limits_of_all(sampled(ringing, 0, 20, interval));
+          ASSERT_TRUE(found.highest && found.lowest) << interval << " " << cut << " " << samples;
+          EXPECT_NEAR(found.highest->value, 1 - cut, 0.01);
+          EXPECT_NEAR(found.lowest->value, cut - 1, 0.01);
+        }
+      }
 }
 
 // An echo that is lost for several samples at a time reads one value.

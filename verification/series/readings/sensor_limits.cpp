@@ -1,6 +1,5 @@
-#include "verification/series/sensor_limits.hpp"
+#include "verification/series/readings/sensor_limits.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,18 +14,14 @@ namespace slosh {
 namespace {
 
 constexpr int most_steps = 100;
-constexpr double on_levels = 0.9;                                 // of the samples
-constexpr double off_level = 0.01;                                // [steps] by rounding
-constexpr double least_hidden = 0.015;                            // of the range
-constexpr double bands[] = {1e-3, 3e-3, 0.01, 0.02, 0.04, 0.08};  // of the range
-constexpr double most_of_round = 0.2;  // of what a round crest falls by inside
-constexpr double standard_errors = 2.5;
+constexpr double on_levels = 0.9;              // of the samples
+constexpr double off_level = 0.01;             // [steps] by rounding
 constexpr double same_line = 1e-5;             // of the range, by rounding
 constexpr double least_isolated = 0.05;        // of the range
 constexpr double least_isolated_share = 0.01;  // of the mean departure from the mean
 constexpr double least_rough = 0.4;            // of the standard deviation
 constexpr std::size_t fewest_readings = 6;
-constexpr std::size_t most_sampled = 20000, fewest_in_flat = 3, fewest_fitted = 6;
+constexpr std::size_t most_sampled = 20000;
 
 // The values that are read more than once, in order; empty where too few samples have them.
 std::vector<double> repeated_values(const std::vector<double>& values) {
@@ -59,95 +54,6 @@ std::optional<double> step_of(const std::vector<double>& values) {
     };
     if (std::all_of(levels.begin(), levels.end(), is_level)) return step;
   }
-  return std::nullopt;
-}
-
-// By the straight line between the samples.
-double value_at(const TimeSeries& series, double time) {
-  const auto after = std::lower_bound(series.time.begin(), series.time.end(), time);
-  const auto i = static_cast<std::size_t>(after - series.time.begin());
-  const double share = (time - series.time[i - 1]) / (series.time[i] - series.time[i - 1]);
-  return std::lerp(series.value[i - 1], series.value[i], share);
-}
-
-// The samples of a crest that lie within a band of the extreme.
-struct Top {
-  FlatExtreme flat;
-  double fall, variance;  // of the parabola through them, from its middle to its ends
-};
-
-// By least squares; the whole band and no variance of few samples.
-void fit_parabola(const TimeSeries& series, std::size_t first, std::size_t last, double band,
-                  Top& top) {
-  const std::size_t count = last - first + 1;
-  top.fall = band;
-  top.variance = 0;
-  if (count < fewest_fitted) return;
-  const double middle = (top.flat.begin + top.flat.end) / 2, half = top.flat.end - middle;
-  Eigen::MatrixX3d powers(count, 3);
-  Eigen::VectorXd values(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double x = (series.time[first + i] - middle) / half;
-    const auto row = static_cast<Eigen::Index>(i);
-    powers.row(row) << 1, x, x * x;
-    values[row] = series.value[first + i] - top.flat.value;
-  }
-  const Eigen::Matrix3d inverse = (powers.transpose() * powers).inverse();
-  const Eigen::Vector3d found = inverse * (powers.transpose() * values);
-  top.fall = std::abs(found[2]);
-  top.variance =
-      (values - powers * found).squaredNorm() / static_cast<double>(count - 3) * inverse(2, 2);
-}
-
-// Whose edges lie between the samples from first to last and their neighbours; nullopt where it
-// reaches an end of the series.
-std::optional<Top> top_of(const TimeSeries& series, double band, std::size_t first,
-                          std::size_t last) {
-  const std::vector<double>& time = series.time;
-  if (first == 0 || last + 1 == time.size()) return std::nullopt;
-  const double begin = (time[first - 1] + time[first]) / 2, end = (time[last] + time[last + 1]) / 2,
-               half = (end - begin) / 2;
-  if (begin - half <= time.front() || end + half >= time.back()) return std::nullopt;
-  const std::vector<double> inside(series.value.begin() + static_cast<std::ptrdiff_t>(first),
-                                   series.value.begin() + static_cast<std::ptrdiff_t>(last + 1));
-  const double middle = median(inside);
-  const double drop = std::min(std::abs(value_at(series, begin - half) - middle),
-                               std::abs(value_at(series, end + half) - middle));
-  Top top{{middle, begin, end, drop / 3}, 0, 0};
-  fit_parabola(series, first, last, band, top);
-  return top;
-}
-
-bool meets(const FlatExtreme& flat, TimeWindow window) {
-  return flat.begin < window.end && flat.end > window.begin;
-}
-
-// Of the flats that meet the window the one that hides most, where all crests that reach the band
-// are flat together. Within a step of the sensor nothing is known of their fall.
-std::optional<FlatExtreme> flat_within(const TimeSeries& series, double extreme, double band,
-                                       double range, double step, TimeWindow window) {
-  std::optional<FlatExtreme> worst;
-  double hidden = 0, fall = 0, variance = 0;
-  for (std::size_t i = 0; i < series.value.size(); ++i) {
-    const std::size_t first = i;
-    while (i < series.value.size() && std::abs(series.value[i] - extreme) <= band) ++i;
-    if (i - first < fewest_in_flat) continue;
-    const std::optional<Top> top = top_of(series, band, first, i - 1);
-    if (!top || top->flat.hidden < least_hidden * range) continue;
-    hidden += top->flat.hidden;
-    fall += std::max(top->fall, step);
-    variance += top->variance;
-    if (meets(top->flat, window) && !(worst && worst->hidden >= top->flat.hidden))
-      worst = top->flat;
-  }
-  const bool is_flat = fall + standard_errors * std::sqrt(variance) <= most_of_round * hidden;
-  return is_flat ? worst : std::nullopt;
-}
-
-std::optional<FlatExtreme> flat_extreme(const TimeSeries& series, double extreme, double range,
-                                        double step, TimeWindow window) {
-  for (const double band : bands)
-    if (auto flat = flat_within(series, extreme, band * range, range, step, window)) return flat;
   return std::nullopt;
 }
 
@@ -315,6 +221,13 @@ class IsolatedSearch {
   double highest_ = -std::numeric_limits<double>::infinity(), lowest_ = -highest_;
 };
 
+std::optional<FlatExtreme> flat_trough(TimeSeries series, double step, TimeWindow window) {
+  for (double& value : series.value) value = -value;
+  auto flat = flat_crest(series, step, window);
+  if (flat) flat->value = -flat->value;
+  return flat;
+}
+
 std::optional<double> roughness_of(const TimeSeries& cut) {
   if (cut.value.size() < fewest_readings) return std::nullopt;
   const double roughness = median(departures_from_neighbours(cut)) / rms(without_mean(cut.value));
@@ -329,12 +242,10 @@ SensorLimits limits_of(const TimeSeries& cut, TimeWindow window) {
   const std::optional<double> step = step_of(cut.value);
   const Isolated isolated = IsolatedSearch(cut, range).found();
   const TimeSeries joined = without(isolated.is_isolated, cut);
-  const auto [low, high] = std::minmax_element(joined.value.begin(), joined.value.end());
-  const double height = *high - *low;
   return {range,
           step,
-          flat_extreme(joined, *high, height, step.value_or(0), window),
-          flat_extreme(joined, *low, height, step.value_or(0), window),
+          flat_crest(joined, step.value_or(0), window),
+          flat_trough(joined, step.value_or(0), window),
           step ? std::nullopt : sparse_readings(cut, range),
           step ? std::nullopt : isolated.told,
           roughness_of(cut)};

@@ -7,19 +7,7 @@
 // (pi x)) (Fourier series of the staircase). A hundred steps, q = A / 50, hide 1 % of a crest and
 // 0.06 % of an amplitude.
 //
-// Flats: three readings or more within a band of the highest (lowest) value, with a descent on both
-// sides, are a crest that is cut off where they fall by less inside than a round crest would. The
-// parabola through both edges of a flat of length T falls from its own crest by h inside and by 3 h
-// more within T / 2 outside, so that the flat hides h = drop / 3; its fall inside is that of the
-// parabola through its readings, by least squares, plus 2.5 standard errors of the noise, and the
-// band of fewer than six readings or one step of the sensor at least. A flat is told where the
-// sum over all crests that reach the band falls by a fifth of what it hides or less, and hides 1.5
-// % of the range (3 % of a sine's amplitude) or more. Bands of 0.1 to 8 % of the range are tried,
-// for noise. A sine falls by 1 to 1.3
-// times h, a trough like x^4 by 0.2 h. Of 4800 waves of 40 s that are not cut, with noise of 0 to
-// 1 % of the range and in no steps or 10 to 98, five are told. Noise of 0.2 % shows a crest that is
-// cut by 6 % of the amplitude, that of 0.5 % one by 20 %, that of 1 % one by 30 %
-// (sensor_limits_test.cpp).
+// Flats: flat_crests.hpp.
 //
 // Sparse readings: a program or a logger writes more samples than it has readings, and holds each
 // reading or joins them by straight lines. A reading ends where the series leaves the line through
@@ -41,15 +29,10 @@
 #include <cstddef>
 #include <optional>
 
+#include "verification/series/readings/flat_crests.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {
-
-struct FlatExtreme {
-  double value;       // the median of its readings, in the series' unit
-  double begin, end;  // of the flat that hides most [s]
-  double hidden;      // the height cut off there
-};
 
 struct SparseReadings {
   bool held;        // otherwise joined by straight lines
