@@ -138,6 +138,20 @@ void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widt
   curve.ribbon = what;
 }
 
+void add_tolerance_band(reports::Band band, reports::Figure& figure) {
+  const auto is_near = [](double one, double other) {
+    return std::abs(one - other) <= 1e-6 * std::abs(one);
+  };
+  for (reports::Band& known : figure.bands)
+    if (is_near(known.lower, band.lower) && is_near(known.upper, band.upper)) {
+      known.label += ", " + band.label;
+      known.look = {};
+      return;
+    }
+  band.label = "tolerance, " + band.label;
+  figure.bands.push_back(std::move(band));
+}
+
 void let_most_set_scale(reports::Figure& figure,
                         const std::function<double(const reports::Curve&)>& size) {
   constexpr std::size_t fewest = 3;

@@ -58,6 +58,10 @@ reports::Curve history_curve(const CaseAssessment& assessment, const std::string
 void set_uncertainty(reports::Curve& curve, const std::vector<double>& half_widths,
                      const std::string& what);
 
+// Adds a band of tolerance; `band` has the name of its candidate. Candidates with the same
+// tolerance share one, which has no look.
+void add_tolerance_band(reports::Band band, reports::Figure& figure);
+
 // Takes the scale from a run whose size is more than four times the median of the figure's runs,
 // where there are three or more: one bad model shall not hide how the others differ.
 void let_most_set_scale(reports::Figure& figure,

@@ -273,8 +273,7 @@ std::vector<Figure> residual_figures(const CaseAssessment& assessment) {
     for (double& value : curve.y) value *= shown.scale;
     figure.curves.push_back(std::move(curve));
     if (const double band = shown.scale * tolerated_residual(assessment, *judging); band > 0)
-      figure.bands.push_back(
-          {"tolerance, " + judging->candidate, -band, band, figure.curves.back().look});
+      add_tolerance_band({judging->candidate, -band, band, figure.curves.back().look}, figure);
   }
   if (figure.curves.empty()) return {};
   let_most_set_scale(figure, [](const Curve& curve) { return farthest_from(0, curve); });

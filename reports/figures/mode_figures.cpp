@@ -15,6 +15,7 @@
 #include <numbers>
 #include <optional>
 
+#include "reports/drawing/axes.hpp"
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
 #include "reports/figures/run_looks.hpp"
@@ -78,8 +79,9 @@ Curve curve_of(const CaseDefinition& definition, const Comparison& pair,
 void add_band(const CaseDefinition& definition, const Comparison& pair, const std::string& mode,
               Metric metric, double offset, Figure& figure) {
   if (const auto allowed = tolerance_of(definition, pair, mode, metric))
-    figure.bands.push_back({"tolerance, " + pair.candidate, offset + allowed->lower,
-                            offset + allowed->upper, look_of(definition, pair.candidate)});
+    add_tolerance_band({pair.candidate, offset + allowed->lower, offset + allowed->upper,
+                        look_of(definition, pair.candidate)},
+                       figure);
 }
 
 Figure frame(const CaseDefinition& definition, const std::vector<ToneRequest>& tones,
@@ -96,7 +98,6 @@ Figure frame(const CaseDefinition& definition, const std::vector<ToneRequest>& t
       sliding.length, periods_per_window, sliding.step,
       others.empty() ? "" : ", fitted together with " + others);
   figure.x_label = "midpoint of the window [s]";
-  figure.x_range = {definition.window_begin, definition.window_end};
   return figure;
 }
 
@@ -220,9 +221,11 @@ Figure phasor_figure(const CaseAssessment& assessment, const std::string& mode) 
   figure.equal_axes = true;
   let_most_set_scale(figure,
                      [](const Curve& curve) { return std::hypot(curve.x[0] - 1, curve.y[0]); });
+  const auto [horizontal, vertical] = reports::plot_ranges(figure);
   for (const Curve& curve : figure.curves)
-    if (!curve.sets_scale)
-      figure.caption += fmt::format(" {} may lie outside of the frame, at {:.3g}, {:.3g}.",
+    if (!curve.sets_scale && !(horizontal.lower < curve.x[0] && curve.x[0] < horizontal.upper &&
+                               vertical.lower < curve.y[0] && curve.y[0] < vertical.upper))
+      figure.caption += fmt::format(" {} lies outside of the frame, at {:.3g}, {:.3g}.",
                                     curve.label, curve.x[0], curve.y[0]);
   return figure;
 }

@@ -99,7 +99,8 @@ TEST_F(CampaignEngine, CountsWhatTwoCasesShareOnceBeforeItStarts) {
   write_swept("[timing]\nrepeats = 2\n");
   write("twin.toml", with(read("small.toml"), "name = \"small\"", "name = \"twin\""));
   write("surges.toml",
-        with(read("surges.toml"), "cases = [\"small\"]", "cases = [\"small\", \"twin\"]"));
+        with(with(read("surges.toml"), "\"./small.toml\"", "\"./small.toml\", \"./twin.toml\""),
+             "cases = [\"small\"]", "cases = [\"small\", \"twin\"]"));
   const Ended told = tool({"campaign", "./surges.toml", "--output", "out", "--dry-run"});
   EXPECT_EQ(told.status, 0) << told.err;
   EXPECT_EQ(count(told.out, "kept     twin/"), 6) << told.out;

@@ -109,8 +109,7 @@ TEST(CampaignReport, HasItsSummaryFirstAndAPageForEachCaseAndForThePaper) {
   for (const char* paper : {"li2010", "zhao2021"}) {
     campaign.paper = paper;
     const reports::Report report = report_of(campaign, {good()});
-    EXPECT_EQ(page_ids(report),
-              (std::vector<std::string>{"small_surge", "small_surge-appendix"}));
+    EXPECT_EQ(page_ids(report), (std::vector<std::string>{"small_surge", "small_surge-appendix"}));
     EXPECT_EQ(section_of(report, paper).page, "") << "claims stand on the first page";
     EXPECT_NO_THROW(reports::check_report(report));
   }
