@@ -9,8 +9,7 @@
 // by 0.2 h. Bands of 0.1 to 8 % of the range are tried, for noise. A flat hides 1.5 % of the range
 // (3 % of a sine's amplitude) or more. It is told
 // - at the highest value, where the sum over all crests that reach the band falls by a fifth of
-// what
-//   it hides or less;
+//   what it hides or less;
 // - at another value, as where the sensor's range was switched or a filter overshoots by one or two
 //   samples at an edge, where four crests or more, of five readings or more each, lie in one band
 //   1.5 % of the range or more below the highest value, and the sum over all crests there falls by
