@@ -156,6 +156,8 @@ void append_approval(const Approval& approval, const fs::path& file) {
     write_ledger(file, before + line.dump() + "\n", approvals.size());
   } catch (const fs::filesystem_error& error) {
     throw LedgerError(error.what());
+  } catch (const Json::exception&) {  // of texts that are not
+    throw LedgerError(file.string() + ": expected the texts of an approval in UTF-8");
   }
 }
 

@@ -19,7 +19,7 @@
 // to 98, five are told, and of 19200 more of twelve shapes none is told below the highest value.
 // Noise of 0.2 % shows a crest that is cut by 6 % of the amplitude, that of 0.5 % one by 20 %, that
 // of 1 % one by 30 %; below the highest value noise of 0.05 % shows a cut by 10 %, that of 0.2 %
-// one by 30 % (sensor_limits_test.cpp).
+// one by 30 % (sensor_statistics_test.cpp, sensor_limits_test.cpp).
 #pragma once
 
 #include <cstddef>
