@@ -81,6 +81,15 @@ TimeTable read_rows(const TableFile& table, const std::string& position,
            fmt::format("a last time of at least the case's duration ({})", table.duration));
   if (!(rows.time[rows.time.size() - 3] + table.time_offset > 0))
     refuse(rows.time.size() - 3, "three rows after 0 or more");
+  // Of points that are nearer one is left out: of a step, which would become the ramp to the next.
+  constexpr double longest = 10 * shortest_table_step;
+  for (std::size_t row = 1; row + 1 < rows.time.size(); ++row)
+    if (rows.column == acceleration &&
+        rows.time[row] - rows.time[row - 1] < (1 - 1e-9) * shortest_table_step &&
+        rows.time[row + 1] - rows.time[row] > longest)
+      refuse(row, fmt::format("a time {} s or more after the row before, as the row after is more "
+                              "than {} s away",
+                              shortest_table_step, longest));
   for (double& time : rows.time) time += table.time_offset;
   return rows;
 }

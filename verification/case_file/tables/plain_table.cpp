@@ -48,7 +48,9 @@ std::vector<SeriesSource> series_of_table(const std::filesystem::path& file,
   for (std::size_t i = 0; i < head.columns.size(); ++i) {
     const TableColumn& column = head.columns[i];
     const bool is_named = std::find(known.begin(), known.end(), column.name) != known.end();
-    if (i == *time || !(is_named || head.columns.size() == 2)) continue;
+    // A column alone may have any name but that of a quantity which the case does not compare.
+    const bool is_alone = head.columns.size() == 2 && !find_quantity(column.name);
+    if (i == *time || !(is_named || is_alone)) continue;
     const std::string quantity = is_named ? column.name : known.front();
     all.push_back({.quantity = quantity,
                    .file = file,

@@ -328,6 +328,11 @@ TEST(StoredRunSection, OfAPlainTableIsRefusedWithoutItsFileAndWithHalfAMethod) {
 run.file = "none.csv": expected a file relative to the case file; there is no
 run.method = "m" -> run.particle_spacing_m is missing: expected the method's spacing
 )");
+  // The elevation at a gauge that the case has not is not that at another.
+  expect_refusals_of("mine.csv", {mine, {}}, R"(
+t,elevation@middle | 0,1 | 1,1 -> 1: columns = t,elevation@middle: expected beside the times one
+  column, or columns with names of the case's quantities
+)");
 }
 
 }  // namespace

@@ -240,6 +240,8 @@ time_s,displacement_m | 0,0 | 1,0 | 1,0 | 20,0 -> 4: time_s = 1: expected a numb
 time_s,displacement_m | 0,0 | 1,nan | 2,0 | 20,0 -> 3: displacement_m = nan: expected a number, in m
 time_s,acceleration_m_s2 | 0,0 | 1,nan | 2,0 | 20,0 -> 3: acceleration_m_s2 = nan: expected a
   number, in m/s2
+time_s,acceleration_m_s2 | 0,0 | 2,0 | 2.001,-4 | 5,-4 | 21,0 -> 4: time_s = 2.001: expected a time
+  0.002 s or more after the row before, as the row after is more than 0.02 s away, in s
 time_s,displacement_m | 0,0 | 1,0,5 | 2,0 | 20,0 -> 3: row = 1,0,5: expected 2 values
 time_s,displacement_m | 0,0 | one,0 | 2,0 | 20,0 -> 3: time_s = one: expected a number, in s
 time_s,displacement_m | 0,0 | 1 0 | 2,0 | 20,0 -> 3: row = 1 0: expected 2 values
