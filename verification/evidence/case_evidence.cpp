@@ -41,6 +41,22 @@ bool resolves(const std::vector<ToneRequest>& modes, TimeWindow window,
   return false;
 }
 
+// What an elevation says that leaves the tank by more than a twentieth of its height; "" of all
+// others.
+std::string outside_tank(const CaseDefinition& definition, const std::string& quantity,
+                         const std::string& role, const TimeSeries& cut) {
+  if (!quantity.starts_with("elevation@") || cut.value.empty()) return "";
+  const double lowest = -definition.liquid.fill_depth, height = definition.tank.height,
+               margin = height / 20;
+  for (std::size_t i = 0; i < cut.value.size(); ++i)
+    if (cut.value[i] < lowest - margin || cut.value[i] > lowest + height + margin)
+      return fmt::format(
+          "the {}'s surface lies {:.3g} m above the still level at {:.4g} s, outside "
+          "of the tank, from {:g} to {:g} m",
+          role, cut.value[i], cut.time[i], lowest, lowest + height);
+  return "";
+}
+
 // Throws ResultError for a run without a result, such as a failed member of an ensemble.
 const RunResult& result_of(const CaseRuns& runs, const std::string& run) {
   const auto found = runs.results.find(run);
@@ -139,6 +155,8 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
     made->readings.rests = resting_values(definition_, quantity);
     if (const std::string raw = as_read(runs_, run, quantity); raw != quantity)
       made->readings.limits = sensor_limits(series_of(runs_, run, raw), window);
+    // A theory is read by no sensor: where it stays at a value, the tank does.
+    if (is_theory(run_named(definition_, run))) made->readings.limits = {};
     here = std::move(made);
   }
   return *here;
@@ -172,6 +190,11 @@ Comparison CaseEvidence::compared(const std::string& candidate, const std::strin
     comparison.covered = std::min(
         comparison.covered, covered_share(series_of(runs_, reference, quantity),
                                           {definition_.window_begin, definition_.window_end}));
+  for (const auto& [role, run] : {std::pair{"candidate", candidate}, {"reference", reference}})
+    if (const std::string doubt = outside_tank(
+            definition_, quantity, role, cut_to_window(series_of(runs_, run, quantity), window));
+        !doubt.empty())
+      comparison.doubts.push_back(doubt);
   comparison.candidate = candidate;
   comparison.reference = reference;
   return comparison;

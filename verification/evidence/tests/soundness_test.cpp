@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "verification/evidence/tests/row_of_a_record.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/tests/surge_results.hpp"
@@ -142,6 +144,26 @@ TEST_F(Soundness, OfALiquidThatIsTooSoftKeepsItsRowFromPassing) {
     EXPECT_EQ(judged().verdict, ratio == 2 ? Verdict::inconclusive : Verdict::pass)
         << judged().message;
   }
+}
+
+TEST_F(Soundness, OfASurfaceOutsideOfTheTankKeepsItsRowFromPassing) {
+  TimeSeries wave = elevation_of({});
+  for (double& value : wave.value) value += 5;
+  runs.results.at("particles") = result_of("particles", wave);
+  EXPECT_EQ(judged().verdict, Verdict::inconclusive) << judged().message;
+  EXPECT_NE(judged().message.find("outside of the tank"), std::string::npos);
+  // Below the floor a gauge reads the floor, and there is nothing to compare.
+  for (double& value : wave.value) value -= 8;
+  runs.results.at("particles") = result_of("particles", wave);
+  EXPECT_EQ(judged().verdict, Verdict::not_compared) << judged().message;
+}
+
+// As where a tank stands still for a while.
+TEST_F(Soundness, OfATheoryIsNotThatOfASensor) {
+  TimeSeries held = elevation_of({});
+  for (double& value : held.value) value = std::max(value, -0.001);
+  runs.results.at("theory") = result_of("theory", held);
+  EXPECT_EQ(judged().message.find("the reference stays"), std::string::npos) << judged().message;
 }
 
 TEST_F(Soundness, IsNoMatterOfTheStart) {
