@@ -7,7 +7,7 @@ cd "$(dirname -- "$0")/.."
 ./slosh campaign docs/tutorial/campaign.toml -o build/own_tank
 rm -f docs/own_tank.png # no file that Slosh has left there, which it would not replace
 ./slosh show docs/tutorial/own_tank.toml -o docs/own_tank.png
-./slosh campaign small_amplitude
+./slosh campaign small_amplitude # after a gate in its directory only this makes its results.json
 python3 docs/small_surge_tables.py build/campaigns/small_amplitude/report/results.json
 ./slosh gate small_amplitude --quick -o build/sample
 mkdir -p docs/sample
