@@ -106,7 +106,7 @@ TEST_F(YourCode, FailsWhereItLosesParticles) {
   change_program("-2 * delta * h", "2 * delta * h");
   const Ended ended = shell(gate);
   EXPECT_EQ(ended.status, 3) << ended.out << ended.err;
-  EXPECT_TRUE(holds(ended.out, "fail_on = \"particles excluded\""));
+  EXPECT_TRUE(holds(ended.out + ended.err, "fail_on = \"particles excluded\""));
 }
 
 // As the workflow does, from the root of the code's own repository.
