@@ -31,7 +31,8 @@ const RecordRun* record_named(const CaseDefinition& definition, const std::strin
   return std::get_if<RecordRun>(&run_named(definition, run).solver);
 }
 
-// Whether the record is long and dense enough to resolve the modes.
+// Whether the window is long enough for the modes, and the record, where one is given, dense
+// enough.
 bool resolves(const std::vector<ToneRequest>& modes, TimeWindow window,
               const TimeSeries* record = nullptr) try {
   require_resolved(window, modes);
@@ -41,8 +42,8 @@ bool resolves(const std::vector<ToneRequest>& modes, TimeWindow window,
   return false;
 }
 
-// What an elevation says that leaves the tank by more than a twentieth of its height; "" of all
-// others.
+// Describes where an elevation leaves the tank by more than a twentieth of its height; returns ""
+// for all other series.
 std::string outside_tank(const CaseDefinition& definition, const std::string& quantity,
                          const std::string& role, const TimeSeries& cut) {
   if (!quantity.starts_with("elevation@") || cut.value.empty()) return "";
@@ -155,7 +156,7 @@ const PreparedSeries& CaseEvidence::prepared(const std::string& role, const std:
     made->readings.rests = resting_values(definition_, quantity);
     if (const std::string raw = as_read(runs_, run, quantity); raw != quantity)
       made->readings.limits = sensor_limits(series_of(runs_, run, raw), window);
-    // A theory is read by no sensor: where it stays at a value, the tank does.
+    // No sensor reads a theory: it stays at a value where the tank stands still.
     if (is_theory(run_named(definition_, run))) made->readings.limits = {};
     here = std::move(made);
   }

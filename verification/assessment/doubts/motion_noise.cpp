@@ -92,7 +92,7 @@ std::string advice(const TableMotion& table) {
       *step, 1 / (2 * *step));
 }
 
-// A table of accelerations is differentiated by nobody.
+// Only positions are differentiated: the noise of a table of accelerations does not grow.
 void add_noise(const char* name, const MotionHistory& history, double unit, const char* unit_name,
                std::vector<ModelLimit>& limits) {
   const auto* table = std::get_if<TableMotion>(&history);
