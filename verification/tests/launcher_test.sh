@@ -44,9 +44,9 @@ stand_in dpkg-query <<'END'
 case $3 in *Depends*) echo "clang-19 (>= 19~)"; exit ;; esac
 echo "dpkg-query" >>"$calls"
 shift 3
-for name; do
-  if grep -qxF -- "$name" "$lacking"; then echo "dpkg-query: no package $name" >&2; else echo "installed $name 1.0"; fi
-done
+printf '%s\n' "$@" | awk -v file="$lacking" '
+  BEGIN { while ((getline name < file) > 0) lacks[name] }
+  { if ($0 in lacks) print "dpkg-query: no package " $0 > "/dev/stderr"; else print "installed " $0 " 1.0" }'
 END
 # Installs what it is asked for, but for openfoam, which this machine's archive does not have.
 stand_in apt-get <<'END'
