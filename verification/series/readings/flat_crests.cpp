@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "verification/series/readings/interruption.hpp"
 #include "verification/series/sample_moments.hpp"
 
 namespace slosh {
@@ -18,6 +19,11 @@ constexpr double standard_errors = 2.5;
 constexpr double least_near = 0.4;  // of the drop outside
 constexpr std::size_t fewest_fitted = 6, fewest_below = 4, fewest_run = 5,
                       most_overshoot = 2;  // at either edge
+constexpr std::size_t most_inside = 12, fewest_sides = 4;
+constexpr double against_whole = 2, against_once = 0.9, against_lines = 0.5;
+constexpr double most_left = 0.25;  // of what is hidden, of a sample
+constexpr double noise_known_to = 1.8;
+constexpr double exactly = 1e-9;  // of what is hidden
 
 // By the straight line between the samples.
 double value_at(const TimeSeries& series, double time) {
@@ -32,6 +38,8 @@ struct Top {
   FlatExtreme flat;
   double fall, variance;  // of the parabola through them, from its middle to its ends
   double near;            // the share of the drop outside that the nearer half of it has
+  Misfits left = {};
+  double asked = 0, noise = 0;  // samples, and the sum of squares that noise leaves of them
 };
 
 // By least squares; the whole band and no variance of few samples.
@@ -62,7 +70,41 @@ struct Search {
   const TimeSeries& series;
   double range, step;
   TimeWindow window;
+  double variance;  // of the noise
 };
+
+// By the fourth differences, which a smooth series hardly has.
+double variance_of_noise(const std::vector<double>& value, double step) {
+  if (value.size() < 5) return 0;
+  std::vector<double> fourth;
+  for (std::size_t i = 4; i < value.size(); ++i)
+    fourth.push_back(
+        std::abs(value[i] - 4 * value[i - 1] + 6 * value[i - 2] - 4 * value[i - 3] + value[i - 4]));
+  const double normal = median(std::move(fourth)) / 0.6745;
+  return std::max(normal * normal / 70, step * step / 12);
+}
+
+// Compares the descriptions of a crest by the means of groups of its samples; nothing where an end
+// of the series is near.
+void add_misfits(const Search& of, std::size_t first, std::size_t last, Top& top) {
+  const std::size_t count = last - first + 1, group = count / most_inside + 1,
+                    inside = count / group, sides = std::max(fewest_sides, inside / 2 + 1);
+  if (first < sides * group || last + sides * group >= of.series.value.size()) return;
+  std::vector<double> times, values;
+  for (std::size_t i = first - sides * group; times.size() < 2 * sides + inside; i += group) {
+    if (times.size() == sides + inside) i = last + 1;
+    const auto mean_from = [&](const std::vector<double>& all) {
+      const auto begin = all.begin() + static_cast<std::ptrdiff_t>(i);
+      return mean({begin, begin + static_cast<std::ptrdiff_t>(group)});
+    };
+    times.push_back(mean_from(of.series.time));
+    values.push_back(mean_from(of.series.value));
+  }
+  const Interruption crest(times, sides, 0, {6, 4, 0});
+  top.left = crest.misfits(values.data());
+  top.asked = static_cast<double>(times.size());
+  top.noise = noise_known_to * of.variance / static_cast<double>(group) * crest.freedom();
+}
 
 // Whose edges lie between the samples from first to last and their neighbours; nullopt where it
 // reaches an end of the series or hides too little.
@@ -85,6 +127,7 @@ std::optional<Top> top_of(const Search& of, double band, std::size_t first, std:
       middle - std::max(value_at(of.series, begin - half / 2), value_at(of.series, end + half / 2));
   Top top{{middle, begin, end, drop / 3}, 0, 0, near / drop};
   fit_parabola(of.series, first, last, band, top);
+  add_misfits(of, first, last, top);
   top.fall = std::max(top.fall, of.step);
   return top;
 }
@@ -98,6 +141,9 @@ class Sum {
     hidden_ += top.flat.hidden;
     fall_ += top.fall;
     variance_ += top.variance;
+    left_.add(top.left);
+    asked_ += top.asked;
+    noise_ += top.noise;
     ++count_;
     const bool meets = top.flat.begin < window_.end && top.flat.end > window_.begin;
     if (meets && !(worst_ && worst_->hidden >= top.flat.hidden)) worst_ = top.flat;
@@ -106,11 +152,24 @@ class Sum {
   // The one that meets the window and hides most, where all are flat together.
   std::optional<FlatExtreme> flat(double most) const {
     const bool is_flat = fall_ + standard_errors * std::sqrt(variance_) <= most * hidden_;
-    return is_flat ? worst_ : std::nullopt;
+    return is_flat && is_interrupted() ? worst_ : std::nullopt;
   }
 
  private:
+  // Whether a curve that is cut off describes the crests better than one that is flat does.
+  bool is_interrupted() const {
+    if (asked_ == 0) return true;
+    const double hidden = hidden_ / static_cast<double>(count_),
+                 floor = asked_ * hidden * hidden * exactly * exactly,
+                 own = left_.interrupted + floor;
+    return own <= asked_ * std::pow(most_left * hidden, 2) && left_.whole + floor >= own &&
+           left_.whole + floor - noise_ >= against_whole * (own - noise_) &&
+           left_.once + floor >= against_once * own && left_.lines + floor >= against_lines * own;
+  }
+
   TimeWindow window_;
+  Misfits left_;
+  double asked_ = 0, noise_ = 0;
   double hidden_ = 0, fall_ = 0, variance_ = 0;
   std::size_t count_ = 0;
   std::optional<FlatExtreme> worst_;
@@ -204,7 +263,7 @@ std::optional<FlatExtreme> flat_below(const Search& of, const std::vector<Crest>
 
 std::optional<FlatExtreme> flat_crest(const TimeSeries& series, double step, TimeWindow window) {
   const auto [low, high] = std::ranges::minmax(series.value);
-  const Search of{series, high - low, step, window};
+  const Search of{series, high - low, step, window, variance_of_noise(series.value, step)};
   const std::vector<Crest> crests = crests_of(series);
   for (const double share : bands) {
     const double band = share * of.range;
