@@ -161,9 +161,9 @@ class Sum {
     if (asked_ == 0) return true;
     const double hidden = hidden_ / static_cast<double>(count_),
                  floor = asked_ * hidden * hidden * exactly * exactly,
-                 own = left_.interrupted + floor;
+                 own = left_.interrupted + floor, noise = count_ >= fewest_below ? noise_ : 0;
     return own <= asked_ * std::pow(most_left * hidden, 2) && left_.whole + floor >= own &&
-           left_.whole + floor - noise_ >= against_whole * (own - noise_) &&
+           left_.whole + floor - noise >= against_whole * (own - noise) &&
            left_.once + floor >= against_once * own && left_.lines + floor >= against_lines * own;
   }
 
