@@ -138,9 +138,8 @@ KnownRun known_run(const CaseDefinition& definition, const RunDefinition& run,
 void leave_drawings(const CaseDefinition& definition, const Installation& installation) try {
   std::vector<reports::Figure> figures = motion_figures(definition);
   figures.insert(figures.begin(), tank_figure(definition));
-  const std::filesystem::path page =
-      installation.build / "shown" / (definition.name + "-tank.html");
-  std::filesystem::create_directories(page.parent_path());
+  // No case's name has a dot.
+  const std::filesystem::path page = shown_page(installation, definition.name + ".tank");
   const reports::TemporaryDirectory scratch((page.parent_path() / ".drawing-").string());
   replace_own(page, reports::figure_page(definition.title, figures, {}, scratch.path()));
   std::cout << "\ndrawings: " << page.string() << "\n";
