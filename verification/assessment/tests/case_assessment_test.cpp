@@ -8,7 +8,9 @@
 #include <limits>
 #include <set>
 
+#include "verification/series/sample_moments.hpp"
 #include "verification/tests/surge_results.hpp"
+#include "verification/tests/synthetic_series.hpp"
 
 namespace slosh::case_assessment_test {
 namespace {
