@@ -113,11 +113,12 @@ struct Change {
   // its autocorrelations at four samples or more, over which values between samples go on, is above
   // what chance gives white noise. Of 200 of them one in a thousand is above 4.5 / sqrt(n).
   bool is_white() const {
+    constexpr double largest = 0.1;  // loads of breaking waves differ by as much from run to run
     constexpr std::size_t first_lag = 4, most_lags = 200;
     const std::size_t count = value.size();
     const double by_chance = 4.5 / std::sqrt(static_cast<double>(count)),
                  power = std::inner_product(value.begin(), value.end(), value.begin(), 0.0);
-    if (by_chance > 0.5 || !(power > 0)) return false;
+    if (by_chance > 0.5 || !(power > 0) || share > largest) return false;
     for (std::size_t lag = first_lag; lag < std::min(count / 4, first_lag + most_lags); ++lag)
       if (std::inner_product(value.begin() + static_cast<std::ptrdiff_t>(lag), value.end(),
                              value.begin(), 0.0) > by_chance * power)

@@ -152,7 +152,7 @@ TEST(RowUncertainty, OfACopyThatWasTouchedIsUnknownToo) {
   }
 }
 
-// The same program, which draws its noise anew: white noise of any size, and noise of any colour
+// The same program, which draws its noise anew: white noise, and noise of any colour
 // that does not become less with the step.
 TEST(RowUncertainty, OfACopyInNoiseIsUnknownToo) {
   const TimeSeries wave = elevation_of({});
