@@ -64,6 +64,8 @@ TableMotion integrated(const TableMotion& accelerations, bool straight) {
 }
 
 // Returns the rows with the case's times.
+constexpr std::size_t most_rows = 2'000'000;
+
 TimeTable read_rows(const TableFile& table, const std::string& position,
                     const std::string& acceleration) {
   TimeTable rows = read_time_table(table.file, {position, acceleration});
@@ -74,6 +76,10 @@ TimeTable read_rows(const TableFile& table, const std::string& position,
                                                   : fmt::format(", with time_offset_s = {} added",
                                                                 table.time_offset)));
   };
+  if (rows.time.size() > most_rows)
+    refuse(most_rows, fmt::format("at most {} rows: of those that are nearer to one another than "
+                                  "{} s one counts",
+                                  most_rows, shortest_table_step));
   if (!(rows.time.front() + table.time_offset <= 0)) refuse(0, "0 or less in the first row");
   // An offset leaves a table that is as long as the case short by rounding.
   if (!(rows.time.back() + table.time_offset >= table.duration * (1 - 1e-9)))

@@ -11,8 +11,8 @@ using namespace needed;
 
 namespace {
 
-// More would not fit the memory, which is then exhausted without a word.
-constexpr double most_samples = 1e7;
+// More would take long before anything runs, and exhaust the memory without a word.
+constexpr double most_samples = 2e6;
 constexpr int most_natural_modes = 100;
 
 // The tolerance is for the rounding of numbers that are written with a few decimals.
@@ -35,7 +35,7 @@ Rule<double> sampled(const CaseDefinition& definition) {
 
 Rule<double> a_sample_interval(const CaseDefinition& definition) {
   const double most = definition.duration;
-  return {fmt::format("a number > 0 and <= the duration ({}), in s, and >= {:.3g}, for at most ten "
+  return {fmt::format("a number > 0 and <= the duration ({}), in s, and >= {:.3g}, for at most two "
                       "million samples",
                       most, most / most_samples),
           [most](double value) { return value >= most / most_samples && value <= most; }};

@@ -17,6 +17,10 @@ inline constexpr const char* store_variable = "SLOSH_STORE";
 // build/store.
 std::filesystem::path usual_store(const Installation& installation);
 
+// Returns where `show` and `explain` leave a page of this name. Throws CaseFileError where its
+// directory is a link or a file.
+std::filesystem::path shown_page(const Installation& installation, const std::string& name);
+
 // Returns how a command line names the file: a shipped one by its name, any other by its path.
 std::string name_or_path(const std::filesystem::path& file, const std::filesystem::path& shipped);
 

@@ -144,9 +144,8 @@ int show_case(const ShowOptions& options, const Installation& installation) {
   for (const std::string& remark : stored.remarks) std::cerr << remark << "\n";
   const std::vector<reports::Figure> figures = case_histories(definition, std::move(stored.runs));
   if (figures.empty()) throw ResultError(definition.name + ": no result is there to be shown");
-  const fs::path file = options.output.empty()
-                            ? installation.build / "shown" / (definition.name + ".html")
-                            : fs::absolute(options.output);
+  const fs::path file = options.output.empty() ? shown_page(installation, definition.name)
+                                               : fs::absolute(options.output);
   fs::create_directories(file.parent_path());
   const reports::TemporaryDirectory scratch((file.parent_path() / ".drawing-").string());
   const std::string text =

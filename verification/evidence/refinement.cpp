@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "verification/case/solver_kinds.hpp"
+#include "verification/series/sample_moments.hpp"
 #include "verification/series/windowed_series.hpp"
 
 namespace slosh {
@@ -102,6 +104,54 @@ bool has_no_more_particles(const std::string& coarse, const std::string& fine,
          many > 0 && many <= few;
 }
 
+// What a finer step changes in a series, in the window.
+struct Change {
+  std::vector<double> time, value;  // without the mean
+  double share = 0;                 // of the series' deviation
+
+  // Whether nothing of it recurs or lasts, as the answer of the flow to another step does: none of
+  // its autocorrelations at four samples or more, over which values between samples go on, is above
+  // what chance gives white noise. Of 200 of them one in a thousand is above 4.5 / sqrt(n).
+  bool is_white() const {
+    constexpr double largest = 0.1;  // loads of breaking waves differ by as much from run to run
+    constexpr std::size_t first_lag = 4, most_lags = 200;
+    const std::size_t count = value.size();
+    const double by_chance = 4.5 / std::sqrt(static_cast<double>(count)),
+                 power = std::inner_product(value.begin(), value.end(), value.begin(), 0.0);
+    if (by_chance > 0.5 || !(power > 0) || share > largest) return false;
+    for (std::size_t lag = first_lag; lag < std::min(count / 4, first_lag + most_lags); ++lag)
+      if (std::inner_product(value.begin() + static_cast<std::ptrdiff_t>(lag), value.end(),
+                             value.begin(), 0.0) > by_chance * power)
+        return false;
+    return true;
+  }
+
+  // Whether both are small and as large, and correlate by -1/2, as three series do that differ by
+  // noise of any colour: the changes of an ordered convergence correlate by 1 or -1.
+  bool is_as_disordered_as(const Change& coarser) const {
+    constexpr double small = 1e-3, as_large = 1.5, lowest = -0.75, highest = -0.25;
+    if (!(std::max(share, coarser.share) < small) || time != coarser.time) return false;
+    const double ratio = share / coarser.share,
+                 correlation =
+                     std::inner_product(value.begin(), value.end(), coarser.value.begin(), 0.0) /
+                     (rms(value) * rms(coarser.value) * static_cast<double>(value.size()));
+    return ratio < as_large && ratio > 1 / as_large && correlation > lowest &&
+           correlation < highest;
+  }
+};
+
+Change change_of(const TimeSeries& coarse, const TimeSeries& fine, TimeWindow window) {
+  try {
+    const CommonSamples common =
+        common_samples(cut_to_window(coarse, window), cut_to_window(fine, window));
+    Change change{common.time, without_mean(minus(common.candidate, common.reference)), 0};
+    change.share = rms(change.value) / rms(without_mean(common.reference));
+    return change;
+  } catch (const ComparisonError&) {
+    return {};  // one of them does not cover the window
+  }
+}
+
 // Why the values tell nothing of the discretisation; "" where they do.
 std::string why_unknown(const std::vector<MeasuredRun>& measured,
                         const std::vector<MeasuredRun>& kept, const CaseDefinition& definition,
@@ -110,15 +160,23 @@ std::string why_unknown(const std::vector<MeasuredRun>& measured,
     return fmt::format("the steps of {} and {} differ by a factor below {}", measured.front().name,
                        measured.back().name, least_refinement_ratio);
   const TimeWindow window{definition.window_begin, definition.window_end};
+  std::vector<Change> changes;
   for (std::size_t i = 1; i < kept.size(); ++i) {
     const std::string &coarse = kept[i - 1].name, &fine = kept[i].name;
     if (has_no_more_particles(coarse, fine, definition, runs))
       return fmt::format("{} has no more particles than {}: the refinement changed nothing", fine,
                          coarse);
-    if (has_series(runs, coarse, quantity) && has_series(runs, fine, quantity) &&
-        are_same(runs.results.at(coarse).at(quantity), runs.results.at(fine).at(quantity), window))
+    if (!has_series(runs, coarse, quantity) || !has_series(runs, fine, quantity)) continue;
+    const TimeSeries &one = runs.results.at(coarse).at(quantity),
+                     &other = runs.results.at(fine).at(quantity);
+    if (are_same(one, other, window))
       return fmt::format("{} and {} have the same {}: the refinement changed nothing", coarse, fine,
                          quantity);
+    changes.push_back(change_of(one, other, window));
+    if (changes.back().is_white() ||
+        (changes.size() > 1 && changes.back().is_as_disordered_as(changes[changes.size() - 2])))
+      return fmt::format("the {} of {} differs from that of {} by noise alone", quantity, fine,
+                         coarse);
   }
   return "";
 }

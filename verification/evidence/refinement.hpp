@@ -60,7 +60,9 @@ struct Refinements {
 // whose steps differ by less than least_refinement_ratio one counts: the row's own, or else the
 // first. A path tells nothing where a single step is left, where the finer of two spacings of a
 // user's program has no more particles by its own result, and where two of its steps have the same
-// series in the window, to a millionth: one of them is not what it claims to be.
+// series in the window, to a millionth, or differ by noise alone: by white noise of a tenth of the
+// series at most, or by less than a thousandth at three steps, in no order. One of them is not what
+// it claims to be.
 Refinements refined_metrics(const CaseDefinition& definition, const CaseRuns& runs,
                             const GateRow& row, Role role, const PathMeasures& measures);
 

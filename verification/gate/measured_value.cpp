@@ -293,7 +293,8 @@ std::string mistaken_text(const Comparison& pair) {
   const double apart = normalised_rms_without_offset(pair),
                correlation = (ratio * ratio + 1 - apart * apart) / (2 * ratio);
   std::string text;
-  if (std::abs(std::abs(std::log10(ratio)) - 3) < 0.3)
+  // Spikes, drifts and noise on still water are no wave in another unit.
+  if (std::abs(correlation) > 0.5 && std::abs(std::abs(std::log10(ratio)) - 3) < 0.3)
     text = fmt::format("; unit? the candidate's swing is {:.3g} times the reference's", ratio);
   if (correlation < -0.9) text += "; sign? the candidate is the reference turned over";
   return text;

@@ -142,6 +142,17 @@ SensorReadings resting_with(const PreparedSeries& one, const PreparedSeries& oth
   return readings;
 }
 
+// An error relative to a reference that does not move beside the candidate is no figure.
+void require_swing(const Comparison& of) {
+  constexpr double least = 1e-9;  // of the candidate's deviation
+  const double swing = of.reference_wave.deviation, other = of.candidate_wave.deviation;
+  if (swing < least * other)
+    throw ComparisonError(fmt::format(
+        "the reference's {} deviates from its mean by {:.2g} {}, the candidate's by {:.2g} {}; "
+        "expected a billionth of that at least",
+        of.quantity, swing, of.unit, other, of.unit));
+}
+
 }  // namespace
 
 PreparedSeries::PreparedSeries(const std::string& role, TimeSeries of, TimeWindow over,
@@ -206,6 +217,7 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
                        blocks_of(result.window, modes), result);
   result.candidate_wave = wave_statistics(common.candidate);
   result.reference_wave = wave_statistics(common.reference);
+  if (!reference.constant) require_swing(result);
   for (const double value : without_mean(common.reference))
     result.largest_departure = std::max(result.largest_departure, std::abs(value));
   if (reference.band) {

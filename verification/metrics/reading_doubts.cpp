@@ -18,24 +18,39 @@ bool may_rest(double value, const SensorReadings& of) {
 
 // An impact leaves its neighbours too: a pressure rises, a load may pull. Impacts do not recur at
 // one value, as lost samples do.
-bool may_be_real(const IsolatedReadings& isolated, const SensorReadings& of) {
-  if (isolated.value) return may_rest(*isolated.value, of);
-  return of.unit.starts_with("N") || (of.unit == "Pa" && isolated.above);
+template <class Readings>
+bool may_be_real(const Readings& readings, const SensorReadings& of) {
+  if (readings.value) return may_rest(*readings.value, of);
+  return of.unit.starts_with("N") || (of.unit == "Pa" && readings.above);
+}
+
+// Stretches at the value of a flat are that flat.
+bool are_told(const LostStretches& lost, const SensorLimits& limits) {
+  const auto is_at = [&](const std::optional<FlatExtreme>& flat) {
+    return flat && lost.value && std::abs(flat->value - *lost.value) <= same_value * limits.range;
+  };
+  return is_at(limits.highest) || is_at(limits.lowest);
 }
 
 void add_flat(const SensorReadings& of, const FlatExtreme& flat, const char* which,
               std::vector<std::string>& doubts) {
-  doubts.push_back(fmt::format(
-      "the {} stays at its {} value, {:.4g} {}, from {:.4g} to {:.4g} s, which cuts off "
-      "some {:.2g} {}",
-      of.role, which, flat.value, of.unit, flat.begin, flat.end, flat.hidden, of.unit));
+  if (flat.mirrored)
+    doubts.push_back(fmt::format(
+        "the {} turns back at its {} value, {:.4g} {}, from {:.4g} to {:.4g} s, where a crest that "
+        "is mirrored would go on by {:.2g} {}",
+        of.role, which, flat.value, of.unit, flat.begin, flat.end, flat.hidden, of.unit));
+  else
+    doubts.push_back(fmt::format(
+        "the {} stays at its {} value, {:.4g} {}, from {:.4g} to {:.4g} s, which cuts off "
+        "some {:.2g} {}",
+        of.role, which, flat.value, of.unit, flat.begin, flat.end, flat.hidden, of.unit));
 }
 
 }  // namespace
 
 std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
   std::vector<std::string> doubts;
-  const auto& [range, step, highest, lowest, sparse, isolated, roughness] = of.limits;
+  const auto& [range, step, highest, lowest, sparse, isolated, lost, roughness] = of.limits;
   // A pressure rests at its lowest value alone.
   if (highest && (of.unit == "Pa" || !may_rest(highest->value, of)))
     add_flat(of, *highest, "highest", doubts);
@@ -54,6 +69,12 @@ std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
         "{} samples of the {} leave their neighbours alone, as at {:.4g} s: a value is off by some "
         "{:.2g} {} in the mean",
         isolated->count, of.role, isolated->time, isolated->hidden, of.unit));
+  if (lost && !may_be_real(*lost, of) && !are_told(*lost, of.limits))
+    doubts.push_back(fmt::format(
+        "{} stretches of the {}, as from {:.4g} to {:.4g} s, are straight where the curve through "
+        "the samples before and after is not, as where an echo is lost: a value is off by some "
+        "{:.2g} {} in the mean",
+        lost->count, of.role, lost->begin, lost->end, lost->hidden, of.unit));
   if (roughness)
     doubts.push_back(fmt::format(
         "half of the samples of the {} leave their neighbours by {:.2g} of its deviation, as where "

@@ -19,9 +19,9 @@ struct SensorReadings {
 };
 
 // "the candidate stays at its highest value, 0.01 m, from 1.2 to 1.4 s, which cuts off some 0.002
-// m", that it holds each reading or follows straight lines between them, and that samples leave
-// their neighbours alone, which an impact does too: not of a load, nor of a pressure that rises;
-// empty where nothing is doubtful. Steps are told apart (step_doubt).
+// m", that it holds each reading or follows straight lines between them, that samples leave
+// their neighbours alone, which an impact does too: not of a load, nor of a pressure that rises,
+// and that stretches are lost; empty where nothing is doubtful. Steps are told apart (step_doubt).
 std::vector<std::string> doubts_of_readings(const SensorReadings& of);
 
 // "the values of the candidate lie 0.01 m apart, 20 steps from the lowest to the highest: each may

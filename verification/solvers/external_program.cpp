@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <deque>
 #include <fstream>
@@ -82,7 +83,15 @@ void run_program(const ProgramStart& start) {
   }
   try {
     ChildProcess child(start.command, settings);
+    std::uintmax_t longest = 0;  // of its log, in which fail_on looks
+    const auto watch_log = [&] {
+      std::error_code gone;
+      const std::uintmax_t size = fs::file_size(start.log, gone);
+      if (!gone && size < longest) fail("made its own log shorter");
+      if (!gone) longest = size;
+    };
     while (!child.is_over()) {
+      watch_log();
       if (AwaitedEnd::is_asked()) {
         child.terminate();
         for (auto waited = 0ms; waited < grace && !child.is_over(); waited += poll_interval)
@@ -98,6 +107,7 @@ void run_program(const ProgramStart& start) {
     }
     if (const std::string how = bad_end(child.wait_status()); !how.empty()) fail(how);
     if (!is_log(start.log)) fail("left something else in the place of its log");
+    watch_log();
   } catch (const std::system_error& error) {
     fail(std::string("cannot be started: ") + error.what());
   }

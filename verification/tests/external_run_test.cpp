@@ -197,6 +197,17 @@ TEST_F(ExternalRun, FailsWhereALineOfItsLogMatchesAPattern) {
     EXPECT_EQ(campaign_with(shown).status, 3) << shown;
 }
 
+TEST_F(ExternalRun, FailsWhereItMakesItsOwnLogShorter) {
+  const std::string command =
+      "[\"sh\", \"-c\", \"echo NaN in pressure; sleep 0.5; echo > /dev/stdout; sleep 0.5; exec "
+      "\\\"$0\\\" \\\"$@\\\"\", \"" STAND_IN_SOLVER "\"";
+  write_campaign(with(own_case("\"scaled\", \"1\"", "fail_on = [\"NaN\"]\n"),
+                      "[\"" STAND_IN_SOLVER "\"", command));
+  const Ended ended = campaign();
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_TRUE(holds(ended.out + ended.err, "made its own log shorter")) << ended.err;
+}
+
 TEST_F(ExternalRun, IsBoundToItsCoresAndMarkedWhereItLeavesThem) {
   const std::string command =
       "[\"sh\", \"-c\", \"nproc > \\\"$0/cores\\\"; exec \\\"$@\\\"\", "

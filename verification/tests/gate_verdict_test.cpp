@@ -555,6 +555,16 @@ TEST_F(EarlierVerdict, OfTwoStartsAtOnceIsTheirOwn) {
   }
 }
 
+TEST_F(GateVerdict, OfAnOutputThatIsAFileIsAMistakeAndLeavesTheFile) {
+  const std::string before = read("small.toml");
+  for (const char* command : {"gate", "campaign"}) {
+    const Ended ended = tool({command, "./surges.toml", "-o", "small.toml"});
+    EXPECT_EQ(ended.status, 2) << ended.err;
+    EXPECT_TRUE(holds(ended.err, "small.toml: expected a directory")) << ended.err;
+  }
+  EXPECT_EQ(read("small.toml"), before);
+}
+
 // Two outputs, an output behind "=", a misspelt option, and the campaign behind "--".
 TEST_F(EarlierVerdict, OutlivesNoCommandLineThatMayMeanIt) {
   ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", place}).status, 0);

@@ -117,6 +117,13 @@ TEST_F(ToolExport, ShowsTheHistoriesThatAreThereAndTellsHowToComputeTheOthers) {
   EXPECT_TRUE(holds(page, "particles is not there"));
 }
 
+// The name of no case ends in ".tank".
+TEST_F(ToolExport, LeavesTheDrawingsOfACaseWhereNoPictureOfAnotherGoes) {
+  const Ended explained = tool({"explain", "./small.toml"});
+  EXPECT_EQ(explained.status, 0) << explained.err;
+  EXPECT_TRUE(holds(explained.out, "shown/small.tank.html")) << explained.out;
+}
+
 TEST_F(ToolExport, DrawsThePictureIntoAFile) {
   ASSERT_EQ(run("theory").status, 0);
   ASSERT_EQ(tool({"show", "./small.toml", "-o", "a.png"}).status, 0);

@@ -8,7 +8,9 @@
 #include <limits>
 #include <set>
 
+#include "verification/series/sample_moments.hpp"
 #include "verification/tests/surge_results.hpp"
+#include "verification/tests/synthetic_series.hpp"
 
 namespace slosh::case_assessment_test {
 namespace {
@@ -53,6 +55,18 @@ TEST(CaseAssessment, AsksForTheUnitOrTheSignOfACandidateThatIsAThousandfoldOrTur
   EXPECT_EQ(remarks(0.001), "; unit? the candidate's swing is 0.001 times the reference's");
   EXPECT_EQ(remarks(-1), "; sign? the candidate is the reference turned over");
   EXPECT_EQ(remarks(2), "");
+}
+
+TEST(CaseAssessment, AsksForNoUnitOfSpikesADriftOrNoiseOnStillWater) {
+  const TimeSeries wave = elevation_of({});
+  TimeSeries spiked = wave, drifting = wave;
+  for (std::size_t i = 0; i < wave.value.size(); ++i) {
+    if (i % 50 == 7) spiked.value[i] += 5000 * rms(wave.value);
+    drifting.value[i] += 60 * rms(wave.value) * wave.time[i];
+  }
+  const TimeSeries noise = with_noise(scaled(wave, 1e-9), 1e-3 * rms(wave.value), 0, 1);
+  for (const TimeSeries& series : {spiked, drifting, noise})
+    EXPECT_EQ(assess_candidate(series).gate.front().remarks.find("unit?"), std::string::npos);
 }
 
 TEST(CaseAssessment, RejectsACandidateATwentiethOfAPeriodLate) {

@@ -85,8 +85,8 @@ time.start = "Earth": expected the frame in which the liquid is first at rest (e
 time.start = "at_rest_in_tank": expected the frame ... one of earth, tank; nearest: tank
 time.duration_s = 0: expected a number > 0, in s
 time.sample_interval_s = 21: expected a number > 0 and <= the duration (20), in s
-time.sample_interval_s = 1e-09: expected a number > 0 and <= the duration (20), in s, and >= 2e-06,
-  for at most ten million samples
+time.sample_interval_s = 1e-09: expected a number > 0 and <= the duration (20), in s, and >= 1e-05,
+  for at most two million samples
 gauge(right).x_m = 2.05: expected a number from 0 to the tank's length (2), in m from the left wall
 gauge(left).name = "right" -> gauge.name = "right": expected a name that no other gauge has
 comparison.window_begin_s = -1.0: expected a number >= 0, in s

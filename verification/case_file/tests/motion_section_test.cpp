@@ -33,6 +33,20 @@ CaseDefinition with_table(const std::string& motion, const std::string& name,
   return read_trial({moved_by(motion), {{name, csv}}});
 }
 
+TEST(MotionSection, RefusesATableOfMoreThanTwoMillionRows) {
+  std::string rows = "time_s,displacement_m\n";
+  for (int i = 0; i <= 2'000'000; ++i) rows += fmt::format("{},0.1\n", i);
+  std::string said;
+  try {
+    with_table(table_surge, "surge.csv", rows);
+  } catch (const CaseFileError& error) {
+    said = error.what();
+  }
+  EXPECT_NE(said.find("surge.csv:2000002: time_s = 2000000: expected at most 2000000 rows"),
+            std::string::npos)
+      << said;
+}
+
 TEST(MotionSection, ReadsARollAboutAnyPoint) {
   const CaseDefinition definition = read_text(moved_by(sine_roll + "ramp_periods = 2\n"));
   EXPECT_FALSE(definition.motion.surge);

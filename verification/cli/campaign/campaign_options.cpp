@@ -1,5 +1,7 @@
 #include "verification/cli/campaign/campaign_options.hpp"
 
+#include <filesystem>
+
 namespace slosh {
 
 void add_campaign_options(CLI::App& command, CampaignOptions& options) {
@@ -14,7 +16,12 @@ void add_campaign_options(CLI::App& command, CampaignOptions& options) {
       .add_option("-o,--output", options.output,
                   "Directory of the results and the report (default: build/campaigns/NAME, with "
                   "-quick after the NAME of a quick form)")
-      ->type_name(directory_type);
+      ->type_name(directory_type)
+      ->check([](const std::string& named) {
+        const bool is_other =
+            std::filesystem::exists(named) && !std::filesystem::is_directory(named);
+        return is_other ? named + ": expected a directory" : std::string();
+      });
   add_experiments_option(command, options.experiments);
 }
 

@@ -37,12 +37,15 @@ struct CheckOptions {
   std::filesystem::path experiments;
 };
 
-// The theories that are sums of known functions, at most `most_samples` of each, without the
-// estimates of what they leave out: they tell whether a theory leaves its range.
+// The theories that are sums of known functions, at most `most_samples` of each and ten times as
+// many at all gauges together, without the estimates of what they leave out: they tell whether a
+// theory leaves its range.
 CaseRuns closed_forms(CaseDefinition definition) {
   constexpr double most_samples = 20'000;
-  definition.sample_interval =
-      std::max(definition.sample_interval, definition.duration / most_samples);
+  const auto gauges =
+      static_cast<double>(definition.gauges.size() + definition.pressure_gauges.size());
+  definition.sample_interval = std::max(
+      definition.sample_interval, definition.duration * std::max(1.0, gauges / 10) / most_samples);
   RunSettings settings;
   settings.with_left_out = false;
   CaseRuns runs;
@@ -138,9 +141,8 @@ KnownRun known_run(const CaseDefinition& definition, const RunDefinition& run,
 void leave_drawings(const CaseDefinition& definition, const Installation& installation) try {
   std::vector<reports::Figure> figures = motion_figures(definition);
   figures.insert(figures.begin(), tank_figure(definition));
-  const std::filesystem::path page =
-      installation.build / "shown" / (definition.name + "-tank.html");
-  std::filesystem::create_directories(page.parent_path());
+  // No case's name has a dot.
+  const std::filesystem::path page = shown_page(installation, definition.name + ".tank");
   const reports::TemporaryDirectory scratch((page.parent_path() / ".drawing-").string());
   replace_own(page, reports::figure_page(definition.title, figures, {}, scratch.path()));
   std::cout << "\ndrawings: " << page.string() << "\n";

@@ -19,6 +19,7 @@
 #include "verification/series/sample_moments.hpp"
 #include "verification/series/windowed_series.hpp"
 #include "verification/tests/surge_results.hpp"
+#include "verification/tests/synthetic_series.hpp"
 
 namespace slosh::row_uncertainty_test {
 namespace {
@@ -149,6 +150,44 @@ TEST(RowUncertainty, OfACopyThatWasTouchedIsUnknownToo) {
     EXPECT_NE(outcome.message.find("the refinement changed nothing"), std::string::npos)
         << outcome.message;
   }
+}
+
+// The same program, which draws its noise anew: white noise, and noise of any colour
+// that does not become less with the step.
+TEST(RowUncertainty, OfACopyInNoiseIsUnknownToo) {
+  const TimeSeries wave = elevation_of({});
+  const auto judged = [&](double size, double colour, int runs, double order) {
+    OfMeshes meshes(0, 0);
+    double step = 1;
+    unsigned seed = 1;
+    for (const char* name : {"coarse_mesh", "fine_mesh", "finer_mesh"}) {
+      if (std::string(name) == "finer_mesh") {
+        if (runs < 3) continue;
+        RunDefinition finer = run_named(meshes.definition, "fine_mesh");
+        finer.name = name;
+        std::get<InterFoamRun>(finer.solver).cells_x *= 4;
+        meshes.definition.runs.push_back(finer);
+        meshes.definition.refinements[0].runs.emplace_back(name);
+        meshes.runs.status[name] = {RunState::finished, ""};
+      }
+      const TimeSeries moved = scaled(wave, 1 + order * step);
+      meshes.runs.results[name] =
+          result_of(name, with_noise(moved, size, colour, seed++));
+      step /= 4;
+    }
+    return meshes.judged().message;
+  };
+  const double swing = rms(wave.value);
+  for (const double size : {1e-6, 1e-5, 1e-4, 1e-3, 0.02})
+    EXPECT_NE(judged(size * swing, 0, 2, 0).find("by noise alone"), std::string::npos) << size;
+  for (const double size : {3e-6, 1e-5, 1e-4})
+    EXPECT_NE(judged(size * swing, 0.95, 3, 0).find("by noise alone"), std::string::npos) << size;
+  for (const int runs : {2, 3})
+    for (const double order : {1e-5, 1e-4, 1e-3, 0.02}) {
+      EXPECT_EQ(judged(0, 0, runs, order).find("noise alone"), std::string::npos) << order;
+      EXPECT_EQ(judged(order * swing / 2, 0, runs, order).find("noise alone"), std::string::npos)
+          << order;
+    }
 }
 
 // The same program, with samples that lie half an interval later, on straight lines between those

@@ -308,6 +308,15 @@ TEST(Comparison, RefusesWhatCannotBeCompared) {
   EXPECT_NE(error_of(reference, reference, {0, 3}), "");
 }
 
+TEST(Comparison, RefusesAReferenceThatDoesNotMoveBesideTheCandidate) {
+  const TimeSeries still = sampled([](double t) { return 1e-17 * wave(t); }, 0, 20);
+  EXPECT_NE(error_of(reference, still).find("expected a billionth of that at least"),
+            std::string::npos)
+      << error_of(reference, still);
+  EXPECT_EQ(error_of(still, still), "");
+  EXPECT_EQ(error_of(still, reference), "");
+}
+
 TEST(ComparisonWithAConstant, IsOfTheOffsetAndTheResidualAlone) {
   const auto still = sampled([](double) { return 0.35; }, 0, 20);
   for (const auto& of : {modes, std::vector<ToneRequest>{}}) {

@@ -60,6 +60,21 @@ TEST(ReadingDoubts, TellSamplesThatLeaveTheirNeighboursUnlessTheyMayBeImpacts) {
   }
 }
 
+TEST(ReadingDoubts, AreOfLostStretchesThatAreNoImpactAndNoFlat) {
+  SensorLimits limits{100, {}, {}, {}};
+  limits.lost = LostStretches{7, 1.5, 1.7, 0.2};
+  const std::vector<std::string> doubts = doubts_of_readings(readings("m", limits));
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_NE(doubts[0].find("7 stretches of the candidate, as from 1.5 to 1.7 s"), std::string::npos)
+      << doubts[0];
+  EXPECT_TRUE(doubts_of_readings(readings("N", limits)).empty());
+  limits.lost->above = true;
+  EXPECT_TRUE(doubts_of_readings(readings("Pa", limits)).empty());
+  limits.lost->value = 90.5;
+  limits.highest = FlatExtreme{90, 1, 1.2, 30};
+  EXPECT_EQ(doubts_of_readings(readings("m", limits)).size(), 1U);  // of the flat
+}
+
 TEST(ReadingDoubts, AreOfSamplesThatAlternate) {
   SensorLimits limits{100, {}, {}, {}};
   limits.roughness = 0.7;

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
+#include <utility>
 #include <vector>
 
+#include "verification/series/readings/interruption.hpp"
 #include "verification/series/sample_moments.hpp"
 
 namespace slosh {
@@ -18,6 +21,11 @@ constexpr double standard_errors = 2.5;
 constexpr double least_near = 0.4;  // of the drop outside
 constexpr std::size_t fewest_fitted = 6, fewest_below = 4, fewest_run = 5,
                       most_overshoot = 2;  // at either edge
+constexpr std::size_t most_inside = 12, fewest_sides = 4;
+constexpr double against_whole = 2, against_once = 0.9, against_lines = 0.5;
+constexpr double most_left = 0.25;  // of what is hidden, of a sample
+constexpr double noise_known_to = 1.8;
+constexpr double exactly = 1e-9;  // of what is hidden
 
 // By the straight line between the samples.
 double value_at(const TimeSeries& series, double time) {
@@ -32,6 +40,8 @@ struct Top {
   FlatExtreme flat;
   double fall, variance;  // of the parabola through them, from its middle to its ends
   double near;            // the share of the drop outside that the nearer half of it has
+  Misfits left = {};
+  double asked = 0, noise = 0;  // samples, and the sum of squares that noise leaves of them
 };
 
 // By least squares; the whole band and no variance of few samples.
@@ -62,7 +72,55 @@ struct Search {
   const TimeSeries& series;
   double range, step;
   TimeWindow window;
+  double variance;  // of the noise
 };
+
+// By the fourth differences, which a smooth series hardly has.
+double variance_of_noise(const std::vector<double>& value, double step) {
+  if (value.size() < 5) return 0;
+  std::vector<double> fourth;
+  for (std::size_t i = 4; i < value.size(); ++i)
+    fourth.push_back(
+        std::abs(value[i] - 4 * value[i - 1] + 6 * value[i - 2] - 4 * value[i - 3] + value[i - 4]));
+  const double normal = median(std::move(fourth)) / 0.6745;
+  return std::max(normal * normal / 70, step * step / 12);
+}
+
+// The means of groups of samples inside of a stretch and beside it, but for the `guard` samples at
+// its edges; empty where an end of the series is near.
+struct CrestInGroups {
+  std::size_t group, sides;
+  std::vector<double> times, values;
+};
+
+CrestInGroups crest_in_groups(const TimeSeries& series, std::size_t first, std::size_t last,
+                              std::size_t guard) {
+  const std::size_t count = last - first + 1, group = count / most_inside + 1,
+                    inside = count / group, sides = std::max(fewest_sides, inside / 2 + 1),
+                    beside = sides * group + guard;
+  CrestInGroups found{group, sides, {}, {}};
+  if (first < beside || last + beside >= series.value.size()) return found;
+  for (std::size_t i = first - beside; found.times.size() < 2 * sides + inside; i += group) {
+    if (found.times.size() == sides) i = first;
+    if (found.times.size() == sides + inside) i = last + 1 + guard;
+    const auto mean_from = [&](const std::vector<double>& all) {
+      const auto begin = all.begin() + static_cast<std::ptrdiff_t>(i);
+      return mean({begin, begin + static_cast<std::ptrdiff_t>(group)});
+    };
+    found.times.push_back(mean_from(series.time));
+    found.values.push_back(mean_from(series.value));
+  }
+  return found;
+}
+
+void add_misfits(const Search& of, std::size_t first, std::size_t last, Top& top) {
+  const auto [group, sides, times, values] = crest_in_groups(of.series, first, last, 0);
+  if (times.empty()) return;
+  const Interruption crest(times, sides, 0, {6, 4, 0});
+  top.left = crest.misfits(values.data());
+  top.asked = static_cast<double>(times.size());
+  top.noise = noise_known_to * of.variance / static_cast<double>(group) * crest.freedom();
+}
 
 // Whose edges lie between the samples from first to last and their neighbours; nullopt where it
 // reaches an end of the series or hides too little.
@@ -85,6 +143,7 @@ std::optional<Top> top_of(const Search& of, double band, std::size_t first, std:
       middle - std::max(value_at(of.series, begin - half / 2), value_at(of.series, end + half / 2));
   Top top{{middle, begin, end, drop / 3}, 0, 0, near / drop};
   fit_parabola(of.series, first, last, band, top);
+  add_misfits(of, first, last, top);
   top.fall = std::max(top.fall, of.step);
   return top;
 }
@@ -98,6 +157,9 @@ class Sum {
     hidden_ += top.flat.hidden;
     fall_ += top.fall;
     variance_ += top.variance;
+    left_.add(top.left);
+    asked_ += top.asked;
+    noise_ += top.noise;
     ++count_;
     const bool meets = top.flat.begin < window_.end && top.flat.end > window_.begin;
     if (meets && !(worst_ && worst_->hidden >= top.flat.hidden)) worst_ = top.flat;
@@ -106,11 +168,24 @@ class Sum {
   // The one that meets the window and hides most, where all are flat together.
   std::optional<FlatExtreme> flat(double most) const {
     const bool is_flat = fall_ + standard_errors * std::sqrt(variance_) <= most * hidden_;
-    return is_flat ? worst_ : std::nullopt;
+    return is_flat && is_interrupted() ? worst_ : std::nullopt;
   }
 
  private:
+  // Whether a curve that is cut off describes the crests better than one that is flat does.
+  bool is_interrupted() const {
+    if (asked_ == 0) return true;
+    const double hidden = hidden_ / static_cast<double>(count_),
+                 floor = asked_ * hidden * hidden * exactly * exactly,
+                 own = left_.interrupted + floor, noise = count_ >= fewest_below ? noise_ : 0;
+    return own <= asked_ * std::pow(most_left * hidden, 2) && left_.whole + floor >= own &&
+           left_.whole + floor - noise >= against_whole * (own - noise) &&
+           left_.once + floor >= against_once * own && left_.lines + floor >= against_lines * own;
+  }
+
   TimeWindow window_;
+  Misfits left_;
+  double asked_ = 0, noise_ = 0;
   double hidden_ = 0, fall_ = 0, variance_ = 0;
   std::size_t count_ = 0;
   std::optional<FlatExtreme> worst_;
@@ -200,18 +275,62 @@ std::optional<FlatExtreme> flat_below(const Search& of, const std::vector<Crest>
   return std::nullopt;
 }
 
+// A dip between two samples near the highest that is a crest turned over: a polynomial leaves a
+// quarter of it, or less, once it is turned back about a level up to a band above these samples.
+std::optional<FlatExtreme> mirrored_crest(const Search& of, double highest) {
+  constexpr double band = 0.03, deepest = 0.5, against_as_it_is = 4;
+  const auto& [name, unit, time, value] = of.series;
+  double as_it_is = 0, turned = 0;
+  std::optional<FlatExtreme> worst;
+  for (std::size_t at = 0, before = value.size(); at < value.size(); ++at) {
+    if (highest - value[at] > band * of.range) continue;
+    std::size_t i = at;
+    for (; at < value.size() && highest - value[at] <= band * of.range; ++at)
+      if (value[at] > value[i]) i = at;
+    const std::size_t first = std::exchange(before, i) + 1;
+    if (first > value.size() || i < first + fewest_in_flat) continue;
+    const double depth =
+        highest - *std::min_element(value.begin() + static_cast<std::ptrdiff_t>(first),
+                                    value.begin() + static_cast<std::ptrdiff_t>(i));
+    if (depth > deepest * of.range || depth < least_hidden * of.range) continue;
+    const auto [group, sides, times, values] = crest_in_groups(of.series, first, i - 1, 1);
+    if (times.empty()) continue;
+    std::vector<std::size_t> all(times.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const Polynomials whole(times, all, 6);
+    // The sum of squares is a parabola of the level.
+    double left[3];
+    for (int k = 0; k < 3; ++k) {
+      std::vector<double> back = values;
+      for (std::size_t j = sides; j + sides < back.size(); ++j)
+        back[j] = 2 * (highest + k * band * of.range) - back[j];
+      left[k] = whole.misfit(back.data());
+    }
+    const double curvature = left[0] - 2 * left[1] + left[2],
+                 place = curvature > 0
+                             ? std::clamp((left[0] - left[2]) / (2 * curvature) + 1, 0.0, 1.0)
+                             : 0;
+    turned += left[0] + place * (left[1] - left[0]) + place * (place - 1) * curvature / 2;
+    as_it_is += whole.misfit(values.data());
+    if (time[first] < of.window.end && time[i] > of.window.begin &&
+        !(worst && worst->hidden >= depth))
+      worst = FlatExtreme{highest, time[first], time[i - 1], depth, true};
+  }
+  return as_it_is >= against_as_it_is * turned ? worst : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<FlatExtreme> flat_crest(const TimeSeries& series, double step, TimeWindow window) {
   const auto [low, high] = std::ranges::minmax(series.value);
-  const Search of{series, high - low, step, window};
+  const Search of{series, high - low, step, window, variance_of_noise(series.value, step)};
   const std::vector<Crest> crests = crests_of(series);
   for (const double share : bands) {
     const double band = share * of.range;
     if (auto flat = flat_at_highest(of, high, band)) return flat;
     if (auto flat = flat_below(of, crests, high, band)) return flat;
   }
-  return std::nullopt;
+  return mirrored_crest(of, high);
 }
 
 }  // namespace slosh

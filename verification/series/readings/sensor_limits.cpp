@@ -248,6 +248,7 @@ SensorLimits limits_of(const TimeSeries& cut, TimeWindow window) {
           flat_trough(joined, step.value_or(0), window),
           step ? std::nullopt : sparse_readings(cut, range),
           step ? std::nullopt : isolated.told,
+          {},
           roughness_of(cut)};
 }
 
@@ -268,6 +269,7 @@ TimeSeries finite_part(const TimeSeries& whole, TimeWindow window) {
 SensorLimits sensor_limits(const TimeSeries& whole, TimeWindow window) {
   TimeSeries part = finite_part(whole, window);
   SensorLimits limits = limits_of(part, window);
+  if (!limits.step && !limits.sparse && !limits.isolated) limits.lost = lost_stretches(part);
   const double length = window.end - window.begin;
   for (const double around : {length, std::numeric_limits<double>::infinity()}) {
     TimeSeries more = finite_part(whole, {window.begin - around, window.end + around});

@@ -23,13 +23,15 @@
 // line between their neighbours by a twentieth of the range or more, by 8 times what half the
 // samples leave theirs by or more, and by 5 times what these neighbours leave theirs by or more.
 // They are told where all samples are off by 1 % of the mean departure from the mean in the mean.
-// Flats are sought without them.
+// Flats are sought without them. Lost stretches (lost_stretches.hpp) are sought where the readings
+// are neither sparse nor isolated nor in steps.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 
 #include "verification/series/readings/flat_crests.hpp"
+#include "verification/series/readings/lost_stretches.hpp"
 #include "verification/series/time_series.hpp"
 
 namespace slosh {
@@ -54,6 +56,7 @@ struct SensorLimits {
   std::optional<FlatExtreme> highest, lowest;
   std::optional<SparseReadings> sparse = {};
   std::optional<IsolatedReadings> isolated = {};
+  std::optional<LostStretches> lost = {};
   std::optional<double> roughness = {};  // of rough readings: that share of the deviation
 };
 
