@@ -63,9 +63,9 @@ TableMotion integrated(const TableMotion& accelerations, bool straight) {
   return motion;
 }
 
-// Returns the rows with the case's times.
 constexpr std::size_t most_rows = 2'000'000;
 
+// Returns the rows with the case's times.
 TimeTable read_rows(const TableFile& table, const std::string& position,
                     const std::string& acceleration) {
   TimeTable rows = read_time_table(table.file, {position, acceleration});
