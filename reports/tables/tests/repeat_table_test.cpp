@@ -70,9 +70,9 @@ TEST(RemedyText, CountsTheRepeatsThatAnEnsembleLacksAndLengthensTheWindowOfARun)
   }
   UncertaintyContributions known;
   known.time_series = 4e4;
-  GateRow row{};
-  row.metric = Metric::largest_magnitude;
-  GateOutcome outcome{row, Verdict::inconclusive};
+  GateOutcome outcome{};
+  outcome.verdict = Verdict::inconclusive;
+  outcome.row.metric = Metric::largest_magnitude;
   outcome.judgement = judge_error(7e4, known, {-6e4, 6e4});
   outcome.row.candidate = "wild_1";
   EXPECT_EQ(remedy_text(assessment.definition, outcome),
