@@ -8,6 +8,7 @@ import json
 import math
 import pathlib
 import re
+import subprocess
 import sys
 
 RUNS = {  # run: the reference that it is compared with
@@ -45,20 +46,25 @@ def row(run, case):
 
 
 def replace(file, head, rows):
-    """Replaces the table below `head`, and the date in the page's sentence "The figures of this table are of ..."."""
+    """Replaces the table below `head`, and in the page's sentence "The figures of this table are of ..." its origin."""
     text = file.read_text()
     begin = text.index(head) + len(head)
     end = text.index("\n\n", begin)
     table = "\n".join("| " + " | ".join(cells) + " |" for cells in rows)
-    today = f"{datetime.date.today():%-d %B %Y}"
     text = text[:begin] + table + text[end:]
-    text, found = re.subn(r"(The figures of this table are of )\d+ \w+ \d+", rf"\g<1>{today}", text)
+    text, found = re.subn(r"(The figures of this table are of )\d+ \w+ \d+, commit \w+, on an? [^,.]+",
+                          rf"\g<1>{origin}", text)
     if found != 1:
-        sys.exit(f"{file}: expected one sentence 'The figures of this table are of DATE'")
+        sys.exit(f"{file}: expected one sentence 'The figures of this table are of DATE, commit HASH, on a MACHINE'")
     file.write_text(text)
 
 
 case = next(one for one in json.load(open(sys.argv[1]))["cases"] if one["name"] == "li2010_small_amplitude")
+made = [one["provenance"] for one in case["runs"] if one["name"] in RUNS]
+day = datetime.datetime.fromisoformat(max(one["date_utc"] for one in made).rstrip("Z"))
+commit = subprocess.run(["git", "rev-parse", "--short=8", "HEAD"], capture_output=True, text=True, check=True).stdout.strip()
+machine = " and ".join(sorted({one["processor"] for one in made}))
+origin = f"{day:%-d %B %Y}, commit {commit}, on {'an' if machine[0] in 'AEIO' else 'a'} {machine}"
 docs = pathlib.Path(__file__).parent
 replace(docs / "accuracy.md", HEAD, [row(run, case) for run in RUNS])
 short = [0, 1, 2, 3, 6]

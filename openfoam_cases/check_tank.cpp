@@ -13,6 +13,7 @@
 #include "openfoam_cases/geometry/liquid_edge.hpp"
 #include "openfoam_cases/geometry/probe_cells.hpp"
 #include "openfoam_cases/geometry/wall_faces.hpp"
+#include "openfoam_cases/outline/facing.hpp"
 #include "openfoam_cases/outline/outline.hpp"
 
 namespace slosh::openfoam {
@@ -55,7 +56,7 @@ void check_numbers(const SloshingTank& tank) {
     require(tank.no_slip, "gap breadth", tank.gap->breadth,
             "walls to which the liquid sticks (no_slip) in three dimensions");
     require(tank.gap_friction == 0, "gap_friction", tank.gap_friction,
-            "zero in three dimensions, where the mesh has the front wall");
+            "zero in three dimensions, where the mesh has a gap wall");
   }
   // Beyond 1 MULES is no longer bounded.
   const auto require_courant_number = [](const char* name, double number) {
@@ -75,16 +76,12 @@ void check_cut_tank(const SloshingTank& tank) {
         "OpenFOAM tank: column_width = {}: expected none in a tank with an outline, whose bottom "
         "may not be level for the front to run along",
         *tank.column_width));
-  if (!tank.loaded_walls.empty())
-    throw std::invalid_argument("OpenFOAM tank: loaded wall \"" + tank.loaded_walls.front() +
-                                "\": expected none in a tank with an outline, whose walls have no "
-                                "such names; the force on the whole tank is recorded in any case");
 }
 
 // DarcyForchheimer finds no viscosity of the mixture in compressibleInterFoam.
 void check_compressible_tank(const SloshingTank& tank) {
   require(tank.gap_friction == 0, "gap_friction", tank.gap_friction,
-          "zero for compressibleInterFoam, which knows no friction of the front and the back wall");
+          "zero for compressibleInterFoam, which knows no friction of the gap walls");
 }
 
 void check_gauges(const SloshingTank& tank, const TankMesh& mesh) {
@@ -119,8 +116,12 @@ void check_probes(const SloshingTank& tank, const TankMesh& mesh) {
 // Refuses a wall that has no patch.
 void check_loaded_walls(const SloshingTank& tank, const TankMesh& mesh) {
   const auto faces_of = block_mesh(mesh).faces_of;
+  const auto exists = [&](const std::string& wall) {
+    if (mesh.cut()) return !patches_of(*mesh.cut(), wall).empty();
+    return wall != "obstacles" && wall != "front" && faces_of.contains(wall);
+  };
   for (const std::string& wall : tank.loaded_walls) {
-    if (wall == "obstacles" || wall == "front" || !faces_of.contains(wall)) {
+    if (!exists(wall)) {
       throw std::invalid_argument("OpenFOAM tank: loaded wall \"" + wall +
                                   "\": expected left, right, bottom or roof, not covered by "
                                   "obstacles");

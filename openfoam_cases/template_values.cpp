@@ -14,6 +14,7 @@
 #include "openfoam_cases/geometry/liquid_edge.hpp"
 #include "openfoam_cases/geometry/probe_cells.hpp"
 #include "openfoam_cases/geometry/wall_faces.hpp"
+#include "openfoam_cases/outline/facing.hpp"
 #include "openfoam_cases/time_step.hpp"
 
 namespace slosh::openfoam {
@@ -198,11 +199,13 @@ data wall_patches(const SloshingTank& tank, const BlockMesh& mesh) {
   return patches;
 }
 
-data loaded_walls(const SloshingTank& tank) {
+data loaded_walls(const SloshingTank& tank, const TankMesh& mesh) {
   data walls(data::type::list);
   for (const std::string& wall : tank.loaded_walls) {
     data one;
     one.set("wall", wall);
+    one.set("patches",
+            mesh.cut() ? fmt::format("{}", fmt::join(patches_of(*mesh.cut(), wall), " ")) : wall);
     walls << one;
   }
   return walls;
@@ -295,7 +298,7 @@ data template_values(const SloshingTank& tank) {
   values.set("gauge_cells", gauge_cells(tank, mesh));
   values.set("wall_pressure", wall_pressure(tank, mesh));
   values.set("probe_cells", probe_cells(tank, mesh));
-  values.set("loaded_walls", loaded_walls(tank));
+  values.set("loaded_walls", loaded_walls(tank, mesh));
   values.set("gas_pressure", data(reads_gas_pressure(tank)));
   values.set("momentum", data(!tank.roll));
   values.set("snapshots", snapshots(tank));

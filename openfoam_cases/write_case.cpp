@@ -77,7 +77,8 @@ void write_case(const SloshingTank& tank, const fs::path& template_directory,
   }
   if (tank.outline.empty()) return;
   const TankMesh mesh(tank);
-  write_poly_mesh(*mesh.cut(), {mesh.origin_x(), mesh.origin_z()}, case_directory);
+  write_poly_mesh(*mesh.cut(), {mesh.origin_x(), mesh.origin_z()}, !tank.loaded_walls.empty(),
+                  case_directory);
   if (tank.processes > 1) write_decomposition(*mesh.cut(), case_directory);
 }
 

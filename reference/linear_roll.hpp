@@ -50,12 +50,12 @@ class LinearRoll {
   LinearRoll(LinearRoll&&) noexcept;
 
   // Returns eta [m], the height above the still surface of the tank and normal to it, in the tank's
-  // frame.
+  // frame, at x [m] from the tank's centre.
   double elevation(double x, double t) const;
   std::vector<double> elevation(double x, std::span<const double> times) const;
 
   // Returns the pressure [Pa] above the gas's at the middle of the still surface, at a place fixed
-  // in the tank, -h <= z <= 0:
+  // in the tank, x [m] from its centre and z [m] from the still surface, -h <= z <= 0:
   //   -rho (g z + g theta x + theta'' Psi(x,z) + sum p_n' sin(lambda_n x) C_n(z)),
   //   C_n = cosh(lambda_n(z+h))/cosh(lambda_n h).
   // The terms are the hydrostatic part, the tilt of gravity about the tank's centre (the centre's
@@ -79,7 +79,8 @@ class LinearRoll {
   Force force(double t) const;
 
   // Returns the velocity relative to the tank, along its axes: theta' times the flow relative to a
-  // tank that turns under a lid (stokes_joukowski.hpp), and the gradient of the waves.
+  // tank that turns under a lid (stokes_joukowski.hpp), and the gradient of the waves. x and z as
+  // for the pressure.
   struct Velocity {
     double x, z;  // [m/s]
   };

@@ -36,6 +36,7 @@ class LinearSurge {
   ~LinearSurge();
   LinearSurge(LinearSurge&&) noexcept;
 
+  // Of x [m] from the tank's centre and z [m] from the still surface.
   double elevation(double x, double t) const;  // [m]
   std::vector<double> elevation(double x, std::span<const double> times) const;
   struct Velocity {

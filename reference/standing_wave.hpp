@@ -34,7 +34,8 @@ class StandingWave {
   StandingWave(const Tank& tank, const std::optional<Gas>& gas, const InitialWave& wave);
 
   double angular_frequency() const { return angular_frequency_; }  // [rad/s]
-  double elevation(double x, double t) const;                      // [m]
+  // Of x [m] from the tank's centre and z [m] from the still surface.
+  double elevation(double x, double t) const;  // [m]
   struct Velocity {
     double x, z;  // [m/s]
   };
@@ -51,7 +52,8 @@ class StandingWave {
   double density_difference_;  // of liquid and gas [kg/m3]
 };
 
-// Returns cos(k (x + a)). Throws std::invalid_argument unless x lies between the tank's walls.
+// Returns cos(k (x + a)) at x [m] from the tank's centre. Throws std::invalid_argument unless x
+// lies between the tank's walls.
 double mode_shape(const Tank& tank, int mode, double x);
 
 }  // namespace slosh::reference

@@ -21,9 +21,9 @@ class StokesJoukowski {
   // The tank's length and depth must be positive and finite, and the axis finite.
   StokesJoukowski(const Tank& tank, double axis_x, double axis_z);
 
-  // Returns Psi(x, z) [m2] in the liquid at rest; it is zero at x = z = 0. The truncation error is
-  // at most 4.1e-9 length^2, in the four corners; further than 0.0032 length from the surface and
-  // the bottom it is below rounding.
+  // Returns Psi(x, z) [m2] in the liquid at rest, x from the tank's centre; it is zero at x = z =
+  // 0. The truncation error is at most 4.1e-9 length^2, in the four corners; further than 0.0032
+  // length from the surface and the bottom it is below rounding.
   double potential(double x, double z) const;
 
   // Returns grad Psi [m] less the velocity of the turning tank over theta', (-(z - z0), x - X0):

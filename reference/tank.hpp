@@ -1,5 +1,8 @@
 // The tank that every reference solution describes, the gas above the liquid, and how the liquid
-// starts.
+// starts. In a rectangular tank this library counts x from the tank's CENTRE, which its formulas
+// need, and z from the still surface. Case files, results and the SPH library count from the left
+// wall and from the bottom: x_from_centre = x_from_left - length / 2. In the polygons of section/
+// the library has the outline's own coordinates, from the left end.
 #pragma once
 
 namespace slosh::reference {

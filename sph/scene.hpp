@@ -36,7 +36,9 @@ struct Probe {
   double x, z;  // [m] from the left wall and above the bottom
 };
 
-// A wall on which the force is recorded.
+// A wall on which the force is recorded. In a tank with an outline a wall is what faces its way:
+// the left wall has the x components of the forces on all sides whose outward normal points to the
+// left.
 struct LoadedWall {
   std::string name;
   Wall wall;
@@ -106,7 +108,7 @@ struct Scene {
   double gravity;                  // [m/s2], downward
   double rest_density;             // [kg/m3], the mean of the still liquid
   double kinematic_viscosity = 0;  // of the liquid [m2/s]
-  // The breadth of the gap between a front and a back wall, which slow the liquid down
+  // The distance between the gap walls, which slow the liquid down
   // (terms/gap_friction.hpp) [m]; 0: there are no such walls.
   double breadth = 0;
   std::function<double(double)> displacement;  // X(t) of the tank [m]

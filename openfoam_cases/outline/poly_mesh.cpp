@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <fstream>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "openfoam_cases/outline/facing.hpp"
 
 namespace slosh::openfoam {
 namespace {
@@ -30,15 +33,26 @@ std::vector<int> upright(int begin, int end) {
   return {2 * begin, 2 * begin + 1, 2 * end + 1, 2 * end};
 }
 
+// The faces of the walls by patch.
+using Patches = std::map<std::string, std::vector<WallFace>>;
+
+Patches wall_patches(const CutMesh& mesh, bool by_wall) {
+  Patches patches;
+  for (const WallFace& face : mesh.walls())
+    patches[by_wall ? patch_of(mesh, face) : "walls"].push_back(face);
+  return patches;
+}
+
 // With x to the right and z up, y points away from the viewer, so that the normal of a
 // counter-clockwise polygon points to the front.
-Faces faces_of(const CutMesh& mesh) {
+Faces faces_of(const CutMesh& mesh, const Patches& patches) {
   Faces faces;
   for (const InnerFace& face : mesh.faces()) {
     faces.add(upright(face.begin, face.end), face.owner);
     faces.neighbour.push_back(face.neighbour);
   }
-  for (const WallFace& face : mesh.walls()) faces.add(upright(face.begin, face.end), face.owner);
+  for (const auto& [name, walls] : patches)
+    for (const WallFace& face : walls) faces.add(upright(face.begin, face.end), face.owner);
   for (std::size_t i = 0; i < mesh.cells().size(); ++i) {
     std::vector<int> front, back;
     for (const int corner : mesh.cells()[i].corners) {
@@ -60,7 +74,8 @@ void write_list(const fs::path& directory, const char* name, const char* type,
   if (!out.flush()) throw std::runtime_error("cannot write " + (directory / name).string());
 }
 
-std::string patch(const char* name, const char* type, std::size_t count, std::size_t start) {
+std::string patch(const std::string& name, const std::string& type, std::size_t count,
+                  std::size_t start) {
   return fmt::format(
       "    {}\n    {{\n        type {};\n        nFaces {};\n        startFace {};\n"
       "    }}",
@@ -76,16 +91,17 @@ void write_decomposition(const CutMesh& mesh, const fs::path& case_directory) {
              fmt::format("{}", fmt::join(processes, "\n")));
 }
 
-void write_poly_mesh(const CutMesh& mesh, Corner origin, const fs::path& case_directory) {
+void write_poly_mesh(const CutMesh& mesh, Corner origin, bool by_wall,
+                     const fs::path& case_directory) {
   const fs::path directory = case_directory / "constant" / "polyMesh";
   fs::create_directories(directory);
   std::vector<std::string> points;
   for (const Corner& point : mesh.points())
     for (const int y : {0, 1})
       points.push_back(fmt::format("({} {} {})", point.x - origin.x, y, point.z - origin.z));
-  const Faces faces = faces_of(mesh);
-  const std::size_t inside = mesh.faces().size(), walls = mesh.walls().size(),
-                    cells = mesh.cells().size();
+  const Patches walls = wall_patches(mesh, by_wall);
+  const Faces faces = faces_of(mesh, walls);
+  const std::size_t inside = mesh.faces().size(), cells = mesh.cells().size();
   const std::string note =
       fmt::format("note \"nPoints:{} nCells:{} nFaces:{} nInternalFaces:{}\"; ", points.size(),
                   cells, faces.corners.size(), inside);
@@ -97,9 +113,15 @@ void write_poly_mesh(const CutMesh& mesh, Corner origin, const fs::path& case_di
              fmt::format("{}", fmt::join(faces.owner, "\n")));
   write_list(directory, "neighbour", "labelList", note, faces.neighbour.size(),
              fmt::format("{}", fmt::join(faces.neighbour, "\n")));
-  write_list(directory, "boundary", "polyBoundaryMesh", "", 2,
-             patch("walls", "wall", walls, inside) + "\n" +
-                 patch("frontAndBack", "empty", 2 * cells, inside + walls));
+  std::string boundary;
+  std::size_t start = inside;
+  for (const auto& [name, of_wall] : walls) {
+    boundary +=
+        patch(name, by_wall ? "wall; inGroups (walls)" : "wall", of_wall.size(), start) + "\n";
+    start += of_wall.size();
+  }
+  write_list(directory, "boundary", "polyBoundaryMesh", "", walls.size() + 1,
+             boundary + patch("frontAndBack", "empty", 2 * cells, start));
 }
 
 }  // namespace slosh::openfoam

@@ -8,6 +8,7 @@
 #include "openfoam_cases/errors.hpp"
 #include "openfoam_cases/geometry/probe_cells.hpp"
 #include "openfoam_cases/geometry/wall_faces.hpp"
+#include "openfoam_cases/outline/facing.hpp"
 
 namespace slosh::openfoam {
 namespace {
@@ -41,17 +42,22 @@ struct WallPart {
   double length, normal_x, normal_z;
 };
 
+bool is_side_wall(const std::string& wall) { return wall == "left" || wall == "right"; }
+
 WallPart wall_part(const TankMesh& mesh, const std::string& wall) {
-  const bool is_side = wall == "left" || wall == "right";
+  const bool is_side = is_side_wall(wall);
+  const double outward = wall == "left" || wall == "bottom" ? -1 : 1;
+  const auto part = [&](double length) {
+    return is_side ? WallPart{length, outward, 0} : WallPart{length, 0, outward};
+  };
+  if (mesh.cut()) return part(area_towards(*mesh.cut(), wall));
   const int last_column = mesh.columns() - 1, last_row = mesh.rows() - 1;
   int faces = 0;
   for (int k = 0; k <= (is_side ? last_row : last_column); ++k) {
     faces += mesh.is_free(is_side ? Cell{wall == "left" ? 0 : last_column, k}
                                   : Cell{k, wall == "bottom" ? 0 : last_row});
   }
-  const double outward = wall == "left" || wall == "bottom" ? -1 : 1;
-  return is_side ? WallPart{faces * mesh.cell_height(), outward, 0}
-                 : WallPart{faces * mesh.cell_width(), 0, outward};
+  return part(faces * (is_side ? mesh.cell_height() : mesh.cell_width()));
 }
 
 // Returns the sum of values of `width` numbers for each cell, of number `component`, times weights.
@@ -180,6 +186,8 @@ WallForces wall_forces(const SloshingTank& tank, const TankMesh& mesh,
       along.value[i] -= gas.values[i][0] * length * normal_x;
       up.value[i] -= gas.values[i][0] * length * normal_z;
     }
+    // An inclined side's other component is that of another wall.
+    if (mesh.cut()) (is_side_wall(wall) ? forces.z : forces.x).erase(wall);
   }
   return forces;
 }

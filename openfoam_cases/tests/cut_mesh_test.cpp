@@ -147,8 +147,9 @@ TEST(CutMesh, RefusesWhatItCannotCarry) {
   tank.column_width = 0.3;
   EXPECT_NE(refusal(tank).find("column_width = 0.3: expected none"), std::string::npos);
   tank = chamfered_tank();
-  tank.loaded_walls = {"left"};
-  EXPECT_NE(refusal(tank).find("loaded wall \"left\": expected none"), std::string::npos);
+  tank.loaded_walls = {"left_bottom"};
+  EXPECT_NE(refusal(tank).find("loaded wall \"left_bottom\": expected left, right, bottom or roof"),
+            std::string::npos);
   tank = chamfered_tank();
   tank.fill_depth = 0.8;
   EXPECT_NE(refusal(tank).find("fill_depth = 0.8: expected less than the height"),

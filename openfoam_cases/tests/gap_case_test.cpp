@@ -114,7 +114,7 @@ TEST(GapCase, IsRefusedWithSlipFrictionObstaclesAndAnOutline) {
             "(no_slip) in three dimensions");
   EXPECT_EQ(refused([](SloshingTank& t) { t.gap_friction = 0.4; }),
             "OpenFOAM tank: gap_friction = 0.4: expected zero in three dimensions, where the mesh "
-            "has the front wall");
+            "has a gap wall");
   EXPECT_EQ(refused([](SloshingTank& t) {
               t.obstacles = {{0.11, 0.22, 0, 0.13}};
             }),

@@ -140,7 +140,7 @@ TEST(CompressibleTank, RefusesTheFrictionOfTheFrontAndTheBackWall) {
   EXPECT_EQ(message_of<std::invalid_argument>(
                 [&] { write_case(tank, template_directory, directory.path()); }),
             "OpenFOAM tank: gap_friction = 0.3: expected zero for compressibleInterFoam, which "
-            "knows no friction of the front and the back wall");
+            "knows no friction of the gap walls");
 }
 
 }  // namespace

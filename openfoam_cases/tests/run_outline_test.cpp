@@ -110,6 +110,54 @@ TEST_F(RunOutline, LeavesStillLiquidStill) {
   expect_rest(cylinder, run_in(cylinder_directory, cylinder));
 }
 
+// Pressure acts on the projections of an inclined side. The liquid stands 0.1 m high under the
+// upper chamfers, which it lifts. The gas's part is 1e-3 of the force on a side, and more of the
+// small one.
+TEST_F(RunOutline, HasHydrostaticForcesOnWhatFacesEachWay) {
+  SloshingTank tank = chamfered_tank();
+  tank.fill_depth = 0.67;
+  tank.duration = 0.1;
+  tank.loaded_walls = {"left", "right", "bottom", "roof"};
+  const Harvest still = run(tank);
+  const double depth = tank.fill_depth, head = tank.liquid.density * tank.gravity;
+  const double side = head * depth * depth / 2, weight = head * area_below(tank.outline, depth),
+               lift = head * 0.1 * 0.1;
+  EXPECT_NEAR(still.wall_force_x.at("left").value.back(), -side, 0.003 * side);
+  EXPECT_NEAR(still.wall_force_x.at("right").value.back(), side, 0.003 * side);
+  EXPECT_NEAR(still.wall_force_z.at("roof").value.back(), lift, 0.05 * lift);
+  EXPECT_NEAR(still.wall_force_z.at("bottom").value.back(), -weight - lift, 0.003 * weight);
+  EXPECT_FALSE(still.wall_force_z.contains("left"));  // the chamfers' is that of bottom and roof
+}
+
+// A chamfer that is smaller than a third of a cell leaves the cells of a rectangle.
+TEST_F(RunOutline, HasTheForcesOnTheWallsOfARectangleWithTinyChamfers) {
+  SloshingTank box = small_tank();
+  box.height = 0.66;
+  box.cells_x = 22;
+  box.cells_z = 13;
+  box.loaded_walls = {"left", "right", "bottom"};
+  SloshingTank tank = box;
+  const double c = 0.005;
+  tank.outline = {{c, 0},          {1.1 - c, 0}, {1.1, c},      {1.1, 0.66 - c},
+                  {1.1 - c, 0.66}, {c, 0.66},    {0, 0.66 - c}, {0, c}};
+  TemporaryDirectory other_directory;
+  const Harvest expected = run(box), found = run_in(other_directory, tank);
+  const double side = 9810 * box.fill_depth * box.fill_depth / 2;
+  const auto expect_same = [&](const History& a, const History& b, double tolerance) {
+    EXPECT_NEAR(a.value.back(), b.value.back(), tolerance);
+    double x = 0;
+    for (std::size_t i = 0; i < std::min(a.value.size(), b.value.size()); ++i)
+      x = std::max(x, std::abs(a.value[i] - b.value[i]));
+    EXPECT_LT(x, 3 * tolerance);
+  };
+  for (const char* wall : {"left", "right"})
+    expect_same(found.wall_force_x.at(wall), expected.wall_force_x.at(wall), 0.005 * side);
+  expect_same(found.wall_force_z.at("bottom"), expected.wall_force_z.at("bottom"), 0.005 * side);
+  for (std::size_t i = 0; i < found.force_x.value.size(); ++i)
+    EXPECT_NEAR(found.wall_force_x.at("left").value[i] + found.wall_force_x.at("right").value[i],
+                found.force_x.value[i], 1e-6 * side);
+}
+
 TEST_F(RunOutline, LeavesStillLiquidStillOnTwoProcessesAndWithAnotherInterface) {
   SloshingTank tank = measured_chamfered_tank();
   tank.duration = 0.3;

@@ -53,7 +53,7 @@ struct Observation {
   // A place fixed in the tank, for pressure and velocity. Above the surface the pressure is that of
   // the gas, 0, and the velocity is given as 0.
   struct Place {
-    double x, z;  // [m]
+    double x, z;  // [m] from the tank's centre and from the still surface
   };
   std::vector<Place> places = {};
 };

@@ -63,7 +63,7 @@ std::vector<ShownRow> shown_rows(const CaseAssessment& one) {
                                  ? value_text(row, {outcome.value.value, half_width})
                                  : "",
                     .message = outcome.message,
-                    .remedy = remedy_text(outcome),
+                    .remedy = remedy_text(one.definition, outcome),
                     .row_id = case_row_id(one.definition.name, i),
                     .share = error_over_tolerance(outcome)});
   }

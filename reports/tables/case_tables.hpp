@@ -42,9 +42,9 @@ std::optional<reports::Table> uncertainty_table(const CaseAssessment& assessment
 // the finest.
 std::optional<reports::Table> refinement_table(const CaseAssessment& assessment);
 
-// Returns what would make an inconclusive row conclusive: a longer window, finer steps, or what is
-// missing; "" for any other row.
-std::string remedy_text(const GateOutcome& outcome);
+// Returns what would make an inconclusive row conclusive: a longer window, more repeats of a
+// candidate that has these, finer steps, or what is missing; "" for any other row.
+std::string remedy_text(const CaseDefinition& definition, const GateOutcome& outcome);
 
 // For each inconclusive row: the contributions to its uncertainty, what that would have to fall to,
 // and which finer step or longer window reaches it at what cost.

@@ -11,6 +11,7 @@
 #include "reports/wording/report_places.hpp"
 #include "verification/assessment/error_over_tolerance.hpp"
 #include "verification/case/case_definition.hpp"
+#include "verification/case/ensemble.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/evidence/refinement.hpp"
 #include "verification/gate/measured_value.hpp"
@@ -98,6 +99,19 @@ std::string contributions_text(const ThreeWayOutcome& judged, const std::string&
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+// Returns the number of repeats whose mean has an interval narrower by the root of the factor.
+std::string more_repeats(std::size_t repeats, double factor) {
+  const auto half_width = [](std::size_t count) {
+    const auto n = static_cast<double>(count);
+    return t95(n - 1) / std::sqrt(n);
+  };
+  std::size_t needed = repeats + 1;
+  while (needed < most_repeats && half_width(needed) > half_width(repeats) / std::sqrt(factor))
+    ++needed;
+  return fmt::format("{}{} repeats of the candidate in place of {}, if they scatter alike",
+                     needed == most_repeats ? "at least " : "", needed, repeats);
+}
+
 }  // namespace
 
 std::string metric_text(const GateRow& row) {
@@ -172,13 +186,16 @@ std::optional<Table> ensemble_table(const CaseAssessment& assessment) {
   return table;
 }
 
-std::string remedy_text(const GateOutcome& outcome) {
+std::string remedy_text(const CaseDefinition& definition, const GateOutcome& outcome) {
   if (outcome.verdict != Verdict::inconclusive || !outcome.judgement) return "";
   const ThreeWayOutcome& judged = *outcome.judgement;
   std::vector<std::string> ways;
   if (const auto repeats = longer_window(judged); repeats && is_cost(outcome.row.metric))
     return fmt::format("{:.3g} times as many timings", repeats->factor);
-  if (const auto window = longer_window(judged))
+  const std::size_t repeats = members_of(definition, outcome.row.candidate).size();
+  if (const auto window = longer_window(judged); window && repeats > 1)
+    ways.push_back(more_repeats(repeats, window->factor));
+  else if (window)
     ways.push_back(fmt::format("a window {:.3g} times as long, at {:.3g} times the cost",
                                window->factor, window->cost_ratio));
   if (const auto step = finer_step(judged, 1))
@@ -265,9 +282,10 @@ std::optional<Table> remedy_table(const CaseAssessment& assessment) {
   for (const GateOutcome& outcome : assessment.gate) {
     if (outcome.verdict != Verdict::inconclusive || !outcome.judgement) continue;
     const ThreeWayOutcome& judged = *outcome.judgement;
-    table.rows.push_back(
-        {row_name(outcome.row), outcome.message, contributions_text(judged, outcome.row.unit),
-         "± " + in_unit(judged.conclusive_uncertainty, outcome.row.unit), remedy_text(outcome)});
+    table.rows.push_back({row_name(outcome.row), outcome.message,
+                          contributions_text(judged, outcome.row.unit),
+                          "± " + in_unit(judged.conclusive_uncertainty, outcome.row.unit),
+                          remedy_text(assessment.definition, outcome)});
   }
   if (table.rows.empty()) return {};
   return table;

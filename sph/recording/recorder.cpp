@@ -122,7 +122,8 @@ void Recorder::record_probes(const Liquid& liquid, const TankMotion& motion) {
 // Reads the sources of the momentum sum, which the next evaluation of any other sum overwrites.
 void Recorder::record_wall_forces(Liquid& liquid) {
   if (scene_.loaded_walls.empty()) return;
-  const WallForces forces = wall_forces(liquid, scene_.gravity);
+  const std::optional<TankOutline> outline = outline_of(scene_);
+  const WallForces forces = wall_forces(liquid, outline ? &*outline : nullptr, scene_.gravity);
   for (const LoadedWall& loaded : scene_.loaded_walls) {
     const Vector2 force = forces[static_cast<std::size_t>(loaded.wall)];
     push(output.wall_force_x[loaded.name], liquid.time, force.x);

@@ -1,5 +1,6 @@
 #include "sph/recording/wall_forces.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -11,10 +12,32 @@ namespace {
 // The bits of Reflection in the order of Wall.
 constexpr std::array<int, 4> wall_bits{in_left, in_right, in_bottom, in_roof};
 
+// Returns the walls that face from the outline to a place behind it: two of them behind an inclined
+// side, as behind the corner of a rectangle.
+int walls_before(const TankOutline& outline, Vector2 place) {
+  const Vector2 inward = outline.nearest(place.x, place.z).inward;
+  constexpr double none = 1e-6;
+  return (inward.x > none    ? in_left
+          : inward.x < -none ? in_right
+                             : in_none) +
+         (inward.z > none    ? in_bottom
+          : inward.z < -none ? in_roof
+                             : in_none);
+}
+
 class WallForcesOf {
  public:
-  WallForcesOf(Liquid& liquid, double gravity)
-      : liquid_(liquid), tank_(liquid.tank_at(liquid.time)), gravity_(gravity) {}
+  WallForcesOf(Liquid& liquid, const TankOutline* outline, double gravity)
+      : liquid_(liquid), tank_(liquid.tank_at(liquid.time)), gravity_(gravity) {
+    const NeighbourSources& neighbours = liquid.neighbours();
+    for (std::size_t s = 0; s < neighbours.source_count(); ++s) {
+      const Source& source = neighbours.sources()[s];
+      walls_.push_back(
+          static_cast<std::uint8_t>(outline && s >= neighbours.first_solid_source()
+                                        ? walls_before(*outline, tank_.in_tank(source.x, source.z))
+                                        : neighbours.walls_before(s)));
+    }
+  }
 
   WallForces all() {
     for (const int side : {in_none, in_left, in_right})
@@ -43,8 +66,7 @@ class WallForcesOf {
     neighbours.clusters().for_each([&](const Cluster& cluster) {
       std::vector<std::uint32_t> behind;
       for (std::size_t k = 0; k < cluster.source_count; ++k)
-        if (neighbours.walls_before(cluster.sources[k]) == bits)
-          behind.push_back(cluster.sources[k]);
+        if (walls_[cluster.sources[k]] == bits) behind.push_back(cluster.sources[k]);
       if (behind.empty()) return;
       const std::size_t count = behind.size();
       behind.resize(count + prefetch_distance, 0);
@@ -90,14 +112,15 @@ class WallForcesOf {
   Liquid& liquid_;
   Tank tank_;
   double gravity_;
+  std::vector<std::uint8_t> walls_;  // by source, the bits of Reflection
   Rates pushes_;
   WallForces forces_{};
 };
 
 }  // namespace
 
-WallForces wall_forces(Liquid& liquid, double gravity) {
-  return WallForcesOf(liquid, gravity).all();
+WallForces wall_forces(Liquid& liquid, const TankOutline* outline, double gravity) {
+  return WallForcesOf(liquid, outline, gravity).all();
 }
 
 }  // namespace slosh::sph

@@ -85,9 +85,6 @@ TEST(OutlineOf, RefusesWhatOnlyRectanglesTake) {
   scene = chamfered_scene(0.05, 0);
   scene.initial_wave = InitialWave{1, 0.01};
   EXPECT_THROW(outline_of(scene), std::invalid_argument);
-  scene = chamfered_scene(0.05, 0);
-  scene.loaded_walls = {{"L", Wall::left}};
-  EXPECT_THROW(outline_of(scene), std::invalid_argument);
 }
 
 TEST(ConfineTo, ReflectsAParticleThatHasCrossedAnInclinedSide) {

@@ -166,9 +166,8 @@ std::optional<TankOutline> outline_of(const Scene& scene) {
        {left, right - scene.tank_length, outline.bottom(), outline.top() - scene.tank_height})
     require(std::abs(off) <= rounding,
             "corners from 0 to the tank's length and from 0 to its height");
-  require(scene.obstacles.empty() && !scene.column_width && !scene.initial_wave &&
-              scene.loaded_walls.empty(),
-          "no obstacle, dam, initial wave or loaded wall together with it");
+  require(scene.obstacles.empty() && !scene.column_width && !scene.initial_wave,
+          "no obstacle, dam or initial wave together with it");
   return outline;
 }
 

@@ -68,7 +68,7 @@ class TankOutline {
 
 // Returns the scene's outline; none for a rectangle. Throws std::invalid_argument for an outline
 // that does not touch the tank's length and height on all four sides, and for what an outline
-// excludes: obstacles, a dam, an initial wave and loaded walls.
+// excludes: obstacles, a dam and an initial wave.
 std::optional<TankOutline> outline_of(const Scene& scene);
 
 }  // namespace slosh::sph

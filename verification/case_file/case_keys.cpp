@@ -31,7 +31,10 @@ const std::vector<KeyTable>& case_key_tables() {
            {"probe", table("[[probe]]"), no},
            {"wall_forces", list("list of \"left\", \"right\", \"bottom\", \"roof\""), no,
             "The walls on which the force is recorded: force_x@WALL and force_z@WALL. Runs are "
-            "compared on the component normal to the wall."},
+            "compared on the component normal to the wall. Beside outline_m or diameter_m a wall "
+            "is "
+            "what faces its way: \"left\" has the force x on all sides whose outward normal points "
+            "to the left."},
            {"impacts", table("[impacts]"), no},
            {"comparison", table("[comparison]"), yes},
            {"run", table("[[run]]"), at_least_one("")},

@@ -172,8 +172,8 @@ const FieldTable<TankDefinition> tank_table{
     {"tank", "[tank]", "yes",
      "A tank, seen from the side: a rectangle, a polygon or a lying cylinder. x counts from its "
      "left end and z from its lowest place. Beside outline_m or diameter_m there is no obstacle, "
-     "no initial wave, no column_width_m and no wall_forces, and only the solvers sph, "
-     "interfoam, interisofoam, compressible_interfoam, linear, record, external and stored take "
+     "no initial wave and no column_width_m, and only the solvers sph, interfoam, "
+     "interisofoam, compressible_interfoam, linear, record, external and stored take "
      "the case."},
     {field("length_m", &TankDefinition::length, number("m").above(0),
            one_of_three().when(is_told_by_sides), "The inner length."),
@@ -302,8 +302,6 @@ void refuse_beside_outline(const TomlTable& root, const CaseDefinition& definiti
          "no [[obstacle]]" + beside + "an obstacle stands between the walls of a rectangle");
   refuse(root, "initial_wave",
          "no [initial_wave]" + beside + "its cosine is a mode of a rectangle");
-  refuse(root, "wall_forces",
-         "no wall_forces" + beside + "its sides have no names; force_x and force_z are recorded");
   if (root.has_table("liquid"))
     refuse(root.table("liquid"), "column_width_m",
            "no column_width_m" + beside + "a dam stands at the left wall of a rectangle");

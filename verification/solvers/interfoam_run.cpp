@@ -60,7 +60,7 @@ RunResult run_solver(const InterFoamRun& interfoam, const RunRequest& request) {
   if (interfoam.program == FoamProgram::compressible_inter_foam)
     result.active_terms.push_back("compressible liquid, and gas of constant temperature");
   if (tank.gap_friction > 0)
-    result.active_terms.push_back("friction of front and back wall, as of a porous medium");
+    result.active_terms.push_back("friction of the gap walls, as of a porous medium");
   if (tank.gap)
     result.active_terms.push_back(
         fmt::format("three dimensions: half of a gap of {:.4g} mm in {} cells, sticking walls",

@@ -81,5 +81,41 @@ TEST(Documents, ShowTheFilesOfTheTutorialAsTheyAre) {
         holds(tutorial, "```toml\n" + read_text(source / "docs/tutorial" / file) + "```\n"));
 }
 
+// Returns the paragraph before each block of verdicts, and the sentences that tell where a table's
+// figures come from.
+std::vector<std::string> words_of_printed(const std::string& text) {
+  std::vector<std::string> words =
+      all_matches(text, R"((The figures of this table are of [^.]*\.))");
+  const std::regex verdict("^    (pass|violated|inconclusive|PASS|FAIL)\\b");
+  std::istringstream lines(text);
+  std::string paragraph;
+  bool is_over = true, in_block = false;
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_verdict = std::regex_search(line, verdict);
+    if (is_verdict && !in_block) words.push_back(paragraph);
+    in_block = line.starts_with("    ") && (in_block || is_verdict);
+    if (line.starts_with("    ")) continue;
+    if (is_over) paragraph.clear();
+    is_over = line.empty() && !paragraph.empty();
+    if (!line.empty()) paragraph += line + "\n";
+  }
+  return words;
+}
+
+bool is_dated(const std::string& words) {
+  return std::regex_search(words, std::regex(R"(\d+ \w+ \d{4}, commit\s[0-9a-f]{8}\b)"));
+}
+
+TEST(Documents, TellTheDateAndTheCommitOfVerdictsAndTables) {
+  std::size_t count = 0;
+  for (const fs::path& document : documents::files(source))
+    for (const std::string& words : words_of_printed(read_text(document))) {
+      ++count;
+      EXPECT_TRUE(is_dated(words)) << document << ": " << words;
+    }
+  EXPECT_GE(count, 5u);
+  EXPECT_FALSE(is_dated(words_of_printed("# A\n\nIt prints:\n\n    pass  a\n").at(0)));
+}
+
 }  // namespace
 }  // namespace slosh::tool_documents_test

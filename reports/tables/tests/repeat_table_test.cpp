@@ -61,6 +61,27 @@ TEST(RepeatedRuns, AreTheMembersOfAnEnsembleWhateverItsSolver) {
   for (const auto& group : groups) EXPECT_EQ(group.size(), 2u);
 }
 
+// A mean over three repeats has the half width t s / sqrt(3) with t = 4.30; of thirteen t is 2.18.
+TEST(RemedyText, CountsTheRepeatsThatAnEnsembleLacksAndLengthensTheWindowOfARun) {
+  CaseAssessment assessment = repeats(1);
+  for (int i = 1; i <= 3; ++i) {
+    add_run(assessment, "wild_" + std::to_string(i), repeat(i), {});
+    assessment.definition.runs.back().ensemble = "wild_1";
+  }
+  UncertaintyContributions known;
+  known.time_series = 4e4;
+  GateOutcome outcome{};
+  outcome.verdict = Verdict::inconclusive;
+  outcome.row.metric = Metric::largest_magnitude;
+  outcome.judgement = judge_error(7e4, known, {-6e4, 6e4});
+  outcome.row.candidate = "wild_1";
+  EXPECT_EQ(remedy_text(assessment.definition, outcome),
+            "13 repeats of the candidate in place of 3, if they scatter alike");
+  outcome.row.candidate = "ordered";
+  EXPECT_EQ(remedy_text(assessment.definition, outcome),
+            "a window 16 times as long, at 16 times the cost");
+}
+
 TEST(RepeatTable, IsLeftOutWithoutRepeatsOrImpacts) {
   EXPECT_FALSE(repeat_table(repeats(1)));
   CaseAssessment assessment = repeats(3);

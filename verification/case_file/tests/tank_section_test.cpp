@@ -152,14 +152,12 @@ const std::string cylinder = with_tank("diameter_m = 2\n");
 TEST(Outline, ExcludesWhatStandsAtTheWallsOfARectangle) {
   const Workspace workspace;
   const std::string all = complaint(workspace.write(
-      "trial.toml", with_keys(cylinder, "wall_forces = [\"left\"] & liquid.column_width_m = 0.2") +
+      "trial.toml", with_keys(cylinder, "liquid.column_width_m = 0.2") +
                         "[[obstacle]]\nname = \"baffle\"\nleft_m = 0.4\nright_m = 0.5\nbottom_m = "
                         "0\ntop_m = 0.1\n"
                         "[initial_wave]\nmode = 1\namplitude_m = 0.01\n"));
   for (const char* wanted :
-       {"trial.toml:7: wall_forces = (an array): expected no wall_forces beside tank.diameter_m: "
-        "its sides have no names",
-        "obstacle = (an array of tables): expected no [[obstacle]] beside tank.diameter_m: an "
+       {"obstacle = (an array of tables): expected no [[obstacle]] beside tank.diameter_m: an "
         "obstacle stands between the walls of a rectangle",
         "initial_wave = (a table): expected no [initial_wave] beside tank.diameter_m: its cosine "
         "is a mode of a rectangle",

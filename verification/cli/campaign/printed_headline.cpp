@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reports/summary/headline.hpp"
 #include "reports/summary/worst_first.hpp"
 #include "verification/assessment/row_kinds.hpp"
@@ -14,11 +16,17 @@ std::string verdict_text(const AssessedCampaign& assessed, int status) {
   const auto& [definition, output, cases, problems] = assessed;
   auto [lead, row, finding] = decision_of(cases, problems);
   if (status == exit_solver_failed) finding = "";  // the complaint about the run has it
-  return fmt::format(
-      "{}: {}{}", headline_word(status, cases, problems), headline_sentence(cases, problems),
-      row.text.empty()
-          ? ""
-          : fmt::format(" {} {}{}", lead, row.text, finding.empty() ? "." : ": " + finding));
+  const std::string sentence = headline_sentence(cases, problems);
+  std::string decision;
+  if (!row.text.empty())
+    decision = fmt::format(" {} {}{}", lead, row.text, finding.empty() ? "." : ": " + finding);
+  // The line of a case without a reference is the row that decides: what remains is the remedy.
+  const std::size_t remedy = finding.find(". What would decide it");
+  const std::string told =
+      finding.substr(0, std::min(remedy, finding.size() - finding.ends_with('.')));
+  if (!told.empty() && sentence.find(told) != sentence.npos)
+    decision = remedy == finding.npos ? "" : finding.substr(remedy + 1);
+  return fmt::format("{}: {}{}", headline_word(status, cases, problems), sentence, decision);
 }
 
 std::string headline_text(const AssessedCampaign& assessed, int status) {
