@@ -174,7 +174,7 @@ struct KeyTable {
 // A key whose value becomes part of a struct S, or is read by the section without `read`.
 template <class S>
 struct Field : KeyEntry {
-  std::function<void(const TomlTable&, const CaseDefinition&, S&)> read = {};
+  std::function<void(const KeyEntry&, const TomlTable&, const CaseDefinition&, S&)> read = {};
 };
 
 // The type of a value whose member may be optional.
@@ -193,10 +193,10 @@ Field<S> field_of_part(const char* name, Part part, const KeyValue& value, const
                        const std::string& meaning, double per_unit = 1) {
   using T = typename Held<std::remove_cvref_t<std::invoke_result_t<Part, S&>>>::type;
   return {{name, value, needed, meaning},
-          [=, at = std::string(name)](const TomlTable& table, const CaseDefinition& definition,
-                                      S& made) {
-            if (!table.has(at) && !(needed.in && needed.in(table))) return;
-            T read = read_value<T>(value, table, at, definition);
+          [part, per_unit](const KeyEntry& key, const TomlTable& table,
+                           const CaseDefinition& definition, S& made) {
+            if (!table.has(key.name) && !(key.needed.in && key.needed.in(table))) return;
+            T read = read_value<T>(key.value, table, key.name, definition);
             if constexpr (std::is_same_v<T, double>) read *= per_unit;
             part(made) = std::move(read);
           }};
@@ -231,7 +231,7 @@ struct FieldTable : KeyTable {
   // Reads the fields into `made`, in the order of the rows. Throws CaseFileError.
   void read_into(const TomlTable& table, const CaseDefinition& definition, S& made) const {
     for (const Field<S>& one : fields)
-      if (one.read) one.read(table, definition, made);
+      if (one.read) one.read(one, table, definition, made);
   }
   // Refuses unknown keys first.
   S read_all(const TomlTable& table, const CaseDefinition& definition, S made = {}) const {

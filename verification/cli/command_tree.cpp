@@ -60,6 +60,11 @@ CLI::Validator one_of(const std::string& expected, const std::vector<std::string
           fmt::format("{{{}}}", fmt::join(names, ","))};
 }
 
+CLI::Option* add_case_argument(CLI::App& command, std::string& name) {
+  return command.add_option("case", name, "A case of `slosh list`, or the path of a case file")
+      ->type_name(case_type);
+}
+
 void add_experiments_option(CLI::App& command, std::filesystem::path& experiments) {
   command
       .add_option("--experiments", experiments,
@@ -138,11 +143,9 @@ void add_all_commands(const CommandTree& tree) {
   add_selftest_command(tree);
   add_baseline_commands(tree);
   add_run_command(tree);
-  add_reference_command(tree);
   add_problem_command(tree);
   add_job_command(tree);
   add_import_command(tree);
-  add_surface_command(tree);
   add_compare_command(tree);
   add_export_command(tree);
   add_show_command(tree);

@@ -44,11 +44,9 @@ void add_gate_command(const CommandTree& tree);
 void add_selftest_command(const CommandTree& tree);
 void add_baseline_commands(const CommandTree& tree);  // baseline diff, propose, approve
 void add_run_command(const CommandTree& tree);
-void add_reference_command(const CommandTree& tree);
 void add_problem_command(const CommandTree& tree);
 void add_job_command(const CommandTree& tree);
 void add_import_command(const CommandTree& tree);
-void add_surface_command(const CommandTree& tree);
 void add_compare_command(const CommandTree& tree);
 void add_export_command(const CommandTree& tree);
 void add_show_command(const CommandTree& tree);
@@ -93,6 +91,7 @@ CLI::Validator keeps(const Rule<T>& rule) {
 }
 // Accepts one of these names, which --help lists. `expected` says what they name: "a shell".
 CLI::Validator one_of(const std::string& expected, const std::vector<std::string>& names);
+CLI::Option* add_case_argument(CLI::App& command, std::string& name);
 void add_experiments_option(CLI::App& command, std::filesystem::path& experiments);
 // The directory of the results that campaigns share: the option, SLOSH_STORE or build/store.
 void add_shared_store_option(CLI::App& command, std::filesystem::path& store,

@@ -137,9 +137,7 @@ void add_converge_command(const CommandTree& tree) {
        "Runs an SPH scheme, or your program, at several spacings and tells the order of its errors",
        {example, example + " --json"}},
       [options, tree] { return converge(*options, tree); });
-  command.add_option("case", options->case_name, "A case of `slosh list`, or a case file's path")
-      ->type_name(case_type)
-      ->required();
+  add_case_argument(command, options->case_name)->required();
   CLI::Option* candidate =
       command
           .add_option("--candidate", options->study.candidate,

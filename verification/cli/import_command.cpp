@@ -1,4 +1,6 @@
-// The subcommand import: reads series from another program's file into a result file.
+// The subcommand import: reads series from another program's file into a result file. Of positions
+// of particles it measures the surface as that of our own runs is measured, so that codes are
+// compared on one definition of it.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,6 +10,8 @@
 #include <memory>
 
 #include "verification/case/quantities.hpp"
+#include "verification/case/shape/tank_shape.hpp"
+#include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/legible_text.hpp"
@@ -16,20 +20,30 @@
 #include "verification/gate/gate.hpp"
 #include "verification/import/file_formats.hpp"
 #include "verification/import/import_series.hpp"
+#include "verification/import/particle_table.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 #include "verification/input/tables/series_files.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/results/result_file.hpp"
 #include "verification/solvers/external_facts.hpp"
+#include "verification/solvers/particles/particle_surface.hpp"
 
 namespace slosh {
 namespace {
+
+// The format of positions of particles, which is none of a [[run.series]].
+constexpr const char* particles = "particles";
 
 struct ImportOptions {
   std::vector<std::filesystem::path> files;  // each goes on from the last
   std::filesystem::path output;
   std::string format;
+  // Of particles.
+  std::string case_name, frame = "tank";
+  double spacing = 0;
+  ParticleColumns columns;
+  // Of series.
   std::vector<std::string> series;  // "QUANTITY=COLUMN" each
   std::string unit, time_column, time_unit;
   double scale = 1, offset = 0, time_offset = 0;  // offset in the quantity's unit, and in s
@@ -87,10 +101,15 @@ std::string command_of(const ImportOptions& options) {
   for (const std::filesystem::path& file : options.files)
     command += " " + shell_word(file.string());
   command += " --format " + options.format;
+  if (options.format == particles)
+    command += fmt::format(" --case {} --spacing {} --frame {} --x {} --z {}", options.case_name,
+                           options.spacing, options.frame, shell_word(options.columns.x),
+                           shell_word(options.columns.z));
   for (const std::string& series : options.series) command += " --series " + shell_word(series);
   for (const auto& [name, value] :
        {std::pair{"--unit", &options.unit}, std::pair{"--time", &options.time_column},
-        std::pair{"--time-unit", &options.time_unit}})
+        std::pair{"--time-unit", &options.time_unit},
+        std::pair{"--volume", &options.columns.volume}})
     if (!value->empty()) command += fmt::format(" {} {}", name, shell_word(*value));
   if (options.scale != 1) command += fmt::format(" --scale {}", options.scale);
   if (options.offset != 0) command += fmt::format(" --offset {}", options.offset);
@@ -112,8 +131,9 @@ std::vector<std::filesystem::path> all_files(const ImportOptions& options) {
   return all;
 }
 
+// `measured_in` is the text of the case whose gauges tell what the series are.
 void add_origin(const ImportOptions& options, const std::vector<std::filesystem::path>& files,
-                RunResult& result) {
+                const std::string& measured_in, RunResult& result) {
   const std::string command = command_of(options);
   std::string paths, contents;
   for (const std::filesystem::path& file : files) {
@@ -121,23 +141,69 @@ void add_origin(const ImportOptions& options, const std::vector<std::filesystem:
     contents += read_input(file);
   }
   const std::string content = content_hash(contents);
-  result.key = content_hash(content + command);
+  result.key = content_hash(content + measured_in + command);
   result.provenance = provenance(command);
   result.provenance["source_file"] = paths;
   result.provenance["source_hash"] = content;
   result.provenance["source_format"] = options.format;
 }
 
-int import_files(const ImportOptions& options) {
+RunResult series_in(const ImportOptions& options) {
+  if (options.series.empty()) throw CaseFileError("--series is missing: expected QUANTITY=COLUMN");
   const std::vector<SeriesSource> sources = sources_of(options);
   const std::vector<std::filesystem::path> files = all_files(options);
   RunResult result;
-  add_origin(options, files, result);
+  add_origin(options, files, "", result);
   for (const SeriesSource& source : sources) add_imported(import_series(source, files), result);
   result.case_name = "imported";
+  result.active_terms = {"imported from " + options.format};
+  return result;
+}
+
+RunResult surface_of_particles(const ImportOptions& options, const Installation& installation) {
+  if (options.case_name.empty() || options.spacing == 0 || options.files.size() != 1)
+    throw CaseFileError("--format particles: expected one file, --case and --spacing");
+  const CaseDefinition definition = read_case(find_case(options.case_name, installation.cases));
+  if (definition.gauges.empty())
+    throw CaseFileError(definition.file.string() +
+                        ": gauge: expected at least one [[gauge]], at which the surface is "
+                        "measured");
+  if (!is_rectangle(definition.tank))
+    throw CaseFileError(definition.file.string() +
+                        ": tank: expected a rectangle, length_m and height_m, over whose level "
+                        "bottom the depth of liquid is measured");
+  ParticleColumns columns = options.columns;
+  if (!options.time_column.empty()) columns.time = options.time_column;
+  RunResult result;
+  result.series =
+      surface_series(read_particle_table(options.files.front(), columns),
+                     {value_of(options.frame, position_frame_names), options.spacing}, definition);
+  add_origin(options, options.files, definition.text, result);
+  result.case_name = definition.name;
+  result.active_terms = {"surface of particles, measured as that of SPH runs"};
+  return result;
+}
+
+// Throws CaseFileError for an option that says nothing of the format.
+void refuse_other_options(const ImportOptions& options, const CLI::App& command) {
+  const auto refuse = [&](std::initializer_list<const char*> names) {
+    for (const char* name : names)
+      if (command.get_option(name)->count() > 0)
+        throw CaseFileError(
+            fmt::format("{}: expected no such option with --format {}", name, options.format));
+  };
+  if (options.format == particles)
+    refuse({"--series", "--unit", "--time-unit", "--time-offset", "--scale", "--offset", "--datum",
+            "--whole-tank"});
+  else
+    refuse({"--case", "--spacing", "--frame", "--x", "--z", "--volume"});
+}
+
+int import_files(const ImportOptions& options, const Installation& installation) {
+  RunResult result = options.format == particles ? surface_of_particles(options, installation)
+                                                 : series_in(options);
   result.run_name = options.files.front().stem().string();
   result.solver = "imported";
-  result.active_terms = {"imported from " + options.format};
   const OpenOutputs output(options.output, "import");
   write_result(result, options.output);
   for (const TimeSeries& series : result.series) {
@@ -162,9 +228,13 @@ std::string formats_that_name_times() {
 
 std::string formats_text() {
   std::string text = "Formats:\n";
-  for (const FileFormat& format : file_formats())
-    text += fmt::format("  {:<26}{}\n{:28}columns: {}\n", format.name, format.files, "",
-                        format.columns);
+  const auto add = [&](const std::string& name, const std::string& files,
+                       const std::string& columns) {
+    text += fmt::format("  {:<26}{}\n{:28}columns: {}\n", name, files, "", columns);
+  };
+  for (const FileFormat& format : file_formats()) add(format.name, format.files, format.columns);
+  add(particles, "positions of particles of any program, whose surface is measured",
+      "--time, --x, --z and --volume name them");
   return text;
 }
 
@@ -176,17 +246,19 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
           "a directory with the time folders of OpenFOAM")
       ->type_name(file_type)
       ->required();
+  std::vector<std::string> formats = format_names();
+  formats.push_back(particles);
   command.add_option("--format", options.format, "What wrote it")
       ->required()
-      ->check(one_of("a format", format_names()));
+      ->check(one_of("a format", formats));
   command
       .add_option("--series", options.series,
                   "QUANTITY=COLUMN, as in elevation@right=swlz; may be given again")
-      ->allow_extra_args(false)
-      ->required();
+      ->allow_extra_args(false);
   command.add_option("--unit", options.unit, "The columns' unit, where the file does not say it");
   command.add_option("--time", options.time_column,
-                     "The column of times, of " + formats_that_name_times());
+                     "The column of times, of " + formats_that_name_times() +
+                         ", and of particles (default there: time)");
   command.add_option("--time-unit", options.time_unit, "Its unit, where the file does not say it");
   command.add_option("--time-offset", options.time_offset, "Added to the file's times [s]")
       ->check(keeps(any_number("s")));
@@ -209,19 +281,46 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
       ->required();
 }
 
+void add_particle_options(CLI::App& command, ImportOptions& options) {
+  command.add_option("--case", options.case_name, "Of particles: the case of tank and gauges")
+      ->type_name(case_type);
+  command
+      .add_option("--spacing", options.spacing, "The spacing of the particles at the start, in m")
+      ->check(keeps(positive("m")));
+  command
+      .add_option("--frame", options.frame,
+                  "The frame of the positions: that of the tank, or of the earth, from which the "
+                  "case's motion is taken off (default: tank)")
+      ->check(one_of("a frame", all_names(position_frame_names)));
+  command.add_option("--x", options.columns.x,
+                     "The column of positions along the bottom, from the left wall (default: x)");
+  command.add_option("--z", options.columns.z,
+                     "The column of heights above the bottom (default: z)");
+  command.add_option("--volume", options.columns.volume,
+                     "The column of volumes per metre of width, in m2 (default: that of a cell of "
+                     "the lattice, for each particle)");
+}
+
 }  // namespace
 
 void add_import_command(const CommandTree& tree) {
   const auto imported = std::make_shared<ImportOptions>();
-  CLI::App& command =
-      add_command(tree,
-                  {"import",
-                   "Writes a result file with series from another program",
-                   {"./slosh run li2010_small_amplitude linear",
-                    "./slosh import linear.h5 --format hdf5 --time /series/elevation@right/time "
-                    "--series elevation@right=/series/elevation@right/value -o imported.h5"}},
-                  [imported] { return import_files(*imported); });
+  CLI::App& command = add_command(
+      tree,
+      {"import",
+       "Writes a result file with series from another program, or of the surface of its particles",
+       {"./slosh run li2010_small_amplitude linear",
+        "./slosh import linear.h5 --format hdf5 --time /series/elevation@right/time "
+        "--series elevation@right=/series/elevation@right/value -o imported.h5",
+        "printf 'time,x,z\\n0,0.5,0.1\\n0,0.6,0.1\\n' > particles.csv",
+        "./slosh import particles.csv --format particles --case li2010_small_amplitude "
+        "--spacing 0.1 -o surface.h5"}},
+      [imported, &app = tree.app, &installation = tree.installation] {
+        refuse_other_options(*imported, *app.get_subcommand("import"));
+        return import_files(*imported, installation);
+      });
   add_import_options(command, *imported);
+  add_particle_options(command, *imported);
   command.footer(formats_text() + "\n" + command.get_footer());
 }
 

@@ -271,10 +271,7 @@ void add_run_command(const CommandTree& tree) {
        {"./slosh run li2010_small_amplitude recommended_25mm",
         "./slosh run li2010_small_amplitude recommended_25mm --output shown.h5 --snapshots 5"}},
       [options, &installation = tree.installation] { return run_one(*options, installation); });
-  command
-      .add_option("case", options->case_name, "A case of `slosh list`, or the path of a case file")
-      ->type_name(case_type)
-      ->required();
+  add_case_argument(command, options->case_name)->required();
   command.add_option("run", options->run, "The run's name in the case")
       ->type_name(run_type)
       ->required();

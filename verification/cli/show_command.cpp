@@ -171,10 +171,7 @@ void add_show_command(const CommandTree& tree) {
        {"./slosh run li2010_small_amplitude linear",
         "./slosh show li2010_small_amplitude -o histories.png"}},
       [options, &installation = tree.installation] { return show_case(*options, installation); });
-  command
-      .add_option("case", options->case_name, "A case of `slosh list`, or the path of a case file")
-      ->type_name(case_type)
-      ->required();
+  add_case_argument(command, options->case_name)->required();
   CLI::Option* output =
       command
           .add_option("-o,--output", options->output,

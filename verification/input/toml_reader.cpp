@@ -56,6 +56,12 @@ struct TomlTable::Content {
     const toml::node* node = table->get(key);
     return fmt::format("{}: {}{}", place(node ? *node : *table), path, key);
   }
+  std::string refusal(std::string_view key, std::string_view expected) const;
+  // The array at a key. Throws CaseFileError where there is none, an array of `what`.
+  const toml::array& elements(std::string_view key, const std::string& what) const;
+  // Throws CaseFileError, with the element's own line, where it breaks the rule.
+  template <class T>
+  T element(std::string_view key, const toml::node& node, const Rule<T>& rule) const;
 };
 
 namespace {
@@ -154,6 +160,29 @@ toml::table parsed(std::string_view text, const std::filesystem::path& file) {
 
 }  // namespace
 
+std::string TomlTable::Content::refusal(std::string_view key, std::string_view expected) const {
+  const toml::node* node = table->get(key);
+  const std::string at = place_and_path(key);
+  return node ? fmt::format("{} = {}: expected {}", at, as_written(*node), expected)
+              : fmt::format("{} is missing: expected {}", at, expected);
+}
+
+const toml::array& TomlTable::Content::elements(std::string_view key,
+                                                const std::string& what) const {
+  const toml::node* node = table->get(key);
+  if (!node || !node->is_array()) throw CaseFileError(refusal(key, "an array of " + what));
+  return *node->as_array();
+}
+
+template <class T>
+T TomlTable::Content::element(std::string_view key, const toml::node& node,
+                              const Rule<T>& rule) const {
+  const std::optional<T> value = converted<T>(node);
+  if (value && rule.holds(*value)) return *value;
+  throw CaseFileError(fmt::format("{}: {}{} = {}: expected {}", place(node), path, key,
+                                  as_written(node), rule.expected));
+}
+
 TomlTable::TomlTable(std::string_view text, const std::filesystem::path& file) {
   const auto root = std::make_shared<const toml::table>(parsed(text, file));
   content_ = std::make_shared<const Content>(Content{root, root.get(), file.string(), ""});
@@ -221,42 +250,23 @@ std::string TomlTable::choice(std::string_view key, std::string_view expected,
 
 std::vector<PlacedText> TomlTable::texts(std::string_view key,
                                          const Rule<std::string>& each) const {
-  const std::string expected = "an array of texts, each " + each.expected;
-  const toml::node* node = content_->table->get(key);
-  if (!node || !node->is_array()) refuse(key, expected);
   std::vector<PlacedText> values;
-  for (const toml::node& element : *node->as_array()) {
-    const auto value = converted<std::string>(element);
-    if (!value || !each.holds(*value)) {
-      throw CaseFileError(fmt::format("{}: {}{} = {}: expected {}", content_->place(element),
-                                      content_->path, key, as_written(element), each.expected));
-    }
-    values.push_back({*value, content_->where(element)});
-  }
+  for (const toml::node& element : content_->elements(key, "texts, each " + each.expected))
+    values.push_back({content_->element(key, element, each), content_->where(element)});
   return values;
 }
 
 std::vector<double> TomlTable::numbers(std::string_view key, const Rule<double>& each) const {
-  const toml::node* node = content_->table->get(key);
-  if (!node || !node->is_array()) refuse(key, "an array of numbers, each " + each.expected);
   std::vector<double> values;
-  for (const toml::node& element : *node->as_array()) {
-    const auto value = converted<double>(element);
-    if (!value || !each.holds(*value)) {
-      throw CaseFileError(fmt::format("{}: {}{} = {}: expected {}", content_->place(element),
-                                      content_->path, key, as_written(element), each.expected));
-    }
-    values.push_back(*value);
-  }
+  for (const toml::node& element : content_->elements(key, "numbers, each " + each.expected))
+    values.push_back(content_->element(key, element, each));
   return values;
 }
 
 std::vector<std::pair<double, double>> TomlTable::pairs(std::string_view key,
                                                         std::string_view each) const {
-  const toml::node* node = content_->table->get(key);
-  if (!node || !node->is_array()) refuse(key, fmt::format("an array of pairs, each {}", each));
   std::vector<std::pair<double, double>> values;
-  for (const toml::node& element : *node->as_array()) {
+  for (const toml::node& element : content_->elements(key, fmt::format("pairs, each {}", each))) {
     const toml::array* pair = element.as_array();
     const bool is_pair = pair && pair->size() == 2;
     const auto first = is_pair ? converted<double>(*pair->get(0)) : std::nullopt,
@@ -270,19 +280,12 @@ std::vector<std::pair<double, double>> TomlTable::pairs(std::string_view key,
 std::vector<double> TomlTable::increasing_numbers(std::string_view key,
                                                   const Rule<double>& each) const {
   std::vector<double> values;
-  const toml::node* node = content_->table->get(key);
-  if (!node) return values;
-  if (!node->is_array()) refuse(key, "an array of numbers, each " + each.expected);
-  for (const toml::node& element : *node->as_array()) {
-    const auto value = converted<double>(element);
-    const bool increases = value && (values.empty() || *value > values.back());
-    if (!value || !each.holds(*value) || !increases) {
-      throw CaseFileError(fmt::format(
-          "{}: {}{} = {}: expected {}", content_->place(element), content_->path, key,
-          as_written(element),
-          value && each.holds(*value) ? "a number above the one before it" : each.expected));
-    }
-    values.push_back(*value);
+  if (!has(key)) return values;
+  for (const toml::node& element : content_->elements(key, "numbers, each " + each.expected)) {
+    const double value = content_->element(key, element, each);
+    if (!values.empty() && !(value > values.back()))
+      refuse_element(key, values.size(), "a number above the one before it");
+    values.push_back(value);
   }
   return values;
 }
@@ -295,14 +298,10 @@ TomlTable TomlTable::table(std::string_view key) const {
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
   std::vector<TomlTable> tables;
-  const toml::node* node = content_->table->get(key);
-  if (!node) return tables;
-  if (!node->is_array())
-    refuse(key, fmt::format("an array of tables, [[{}{}]]", content_->path, key));
-  for (const toml::node& element : *node->as_array()) {
-    if (!element.is_table()) {
-      refuse(key, fmt::format("an array of tables, [[{}{}]]", content_->path, key));
-    }
+  if (!has(key)) return tables;
+  const std::string what = fmt::format("tables, [[{}{}]]", content_->path, key);
+  for (const toml::node& element : content_->elements(key, what)) {
+    if (!element.is_table()) refuse(key, "an array of " + what);
     tables.push_back(TomlTable(content_->part(element, key)));
   }
   return tables;
@@ -326,6 +325,12 @@ TomlTable TomlTable::with(std::string_view key, const std::string& text) const {
   return of(content_->copy(std::move(more)));
 }
 
+TomlTable TomlTable::with_flag(std::string_view key, bool value) const {
+  toml::table more = *content_->table;
+  more.insert_or_assign(key, value);
+  return of(content_->copy(std::move(more)));
+}
+
 TomlTable TomlTable::with(std::string_view key, const TomlTable& other,
                           std::string_view from) const {
   toml::table more = *content_->table;
@@ -340,12 +345,6 @@ TomlTable TomlTable::placed_at(const TomlTable& other, std::string_view key) con
   Content copied = content_->copy(*content_->table);
   copied.line = other.content_->where(*other.content_->table->get(key)).line;
   return of(std::move(copied));
-}
-
-TomlTable TomlTable::with_flag(std::string_view key, bool value) const {
-  toml::table more = *content_->table;
-  more.insert_or_assign(key, value);
-  return of(content_->copy(std::move(more)));
 }
 
 std::vector<TomlTable> TomlTable::combinations(const std::vector<std::string>& but_for) const {
@@ -424,10 +423,7 @@ void TomlTable::read_all(const std::function<void(const TomlTable&)>& read) cons
 }
 
 std::string TomlTable::refusal(std::string_view key, std::string_view expected) const {
-  const toml::node* node = content_->table->get(key);
-  const std::string place = content_->place_and_path(key);
-  return node ? fmt::format("{} = {}: expected {}", place, as_written(*node), expected)
-              : fmt::format("{} is missing: expected {}", place, expected);
+  return content_->refusal(key, expected);
 }
 
 void TomlTable::refuse(std::string_view key, std::string_view expected) const {

@@ -117,9 +117,10 @@ const std::vector<std::string> lines{
     "run ./small.toml particles --resume STATE --snapshots 4 -o resumed.h5",
     "run ./small.toml mesh --time-limit 300 -o mesh.h5",
     "export particles.h5 -o p.csv",
-    "reference ./small.toml -o truth.csv",
+    "export ./small.toml -o truth.csv",
     "compare particles.h5 theory.h5 --case ./small.toml --gauge right --limit amplitude_error=0.5",
-    "surface PARTICLES --case li2010_small_amplitude --spacing 0.1 --frame earth -o surface.h5",
+    "import PARTICLES --format particles --case li2010_small_amplitude --spacing 0.1 --frame earth "
+    "-o surface.h5",
     "import GAUGES --format dualsphysics_gauge --series elevation@right=swlz --datum first -o "
     "imported.h5",
     "show ./small.toml -o small.png",

@@ -169,6 +169,18 @@ TEST_F(Intruders, HoldNoSearchOfALogUp) {
   EXPECT_TRUE(holds(quick({"run", "./small.toml", "mine"}).err, "line 1 of its log matches"));
 }
 
+TEST_F(Intruders, HoldNoCheckUpByATableOfMillionsOfRows) {
+  std::string rows = "time_s,displacement_m\n";
+  for (int i = 0; i <= 2'000'000; ++i) rows += std::to_string(i) + ",0.1\n";
+  write("surge.csv", rows);
+  write("small.toml",
+        with(with(small_case, "\"sine\"\namplitude_m = 0.02", "\"table\"\nfile = \"surge.csv\""),
+             "angular_frequency_rad_s = 3.0\n", ""));
+  const Ended ended = quick({"check", "./small.toml"});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_TRUE(holds(ended.err, "surge.csv:2000002: time_s = 2000000: expected at most 2000000"));
+}
+
 TEST_F(Intruders, NestNoValuesTooDeep) {
   const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
   write("deep.json", deep);

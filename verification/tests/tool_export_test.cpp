@@ -68,7 +68,7 @@ TEST_F(ToolExport, RefusesWhatIsNoResult) {
 }
 
 TEST_F(ToolExport, LeavesTheTheoriesOfACaseWithTheirRangesAndNoOtherRun) {
-  ASSERT_EQ(tool({"reference", "./small.toml", "-o", "truth.csv"}).status, 0);
+  ASSERT_EQ(tool({"export", "./small.toml", "-o", "truth.csv"}).status, 0);
   const std::vector<std::string> lines = lines_of(read("truth.csv"));
   ASSERT_GT(lines.size(), 800u);
   EXPECT_EQ(lines[0], "# Case small: A small surge");
@@ -76,7 +76,7 @@ TEST_F(ToolExport, LeavesTheTheoriesOfACaseWithTheirRangesAndNoOtherRun) {
   EXPECT_TRUE(lines[4].starts_with("# theory, uncertainty: "));
   EXPECT_TRUE(lines[5].starts_with("time [s],elevation@right/theory [m]"));
   EXPECT_EQ(files_of_store(".h5").size(), 1u) << "only theory is computed";
-  ASSERT_EQ(tool({"reference", "./small.toml", "-o", "truth.h5"}).status, 0);
+  ASSERT_EQ(tool({"export", "./small.toml", "-o", "truth.h5"}).status, 0);
   ASSERT_EQ(run("theory").status, 0);
   const RunResult truth = read_result(directory() / "truth.h5");
   EXPECT_EQ(truth.at("elevation@right/theory").value,
@@ -88,17 +88,17 @@ TEST_F(ToolExport, LeavesTheTheoriesOfACaseWithTheirRangesAndNoOtherRun) {
 TEST_F(ToolExport, LeavesATheoryOutsideItsRangeAndSaysSo) {
   write_campaign(with(particles_case, "valid_elevation_over_depth = 0.2",
                       "valid_elevation_over_depth = 0.001"));
-  const Ended ended = tool({"reference", "./small.toml", "-o", "truth.csv"});
+  const Ended ended = tool({"export", "./small.toml", "-o", "truth.csv"});
   EXPECT_EQ(ended.status, 4);
   EXPECT_TRUE(holds(ended.err, "theory is outside its range: it predicts an elevation of "));
   EXPECT_TRUE(holds(read("truth.csv"), "# theory is outside its range: it predicts"));
 }
 
 TEST_F(ToolExport, RefusesReferencesOfAnotherFormOrOfACaseWithoutAny) {
-  const Ended form = tool({"reference", "./small.toml", "-o", "truth.xls"});
+  const Ended form = tool({"export", "./small.toml", "-o", "truth.xls"});
   EXPECT_EQ(form.status, 2);
   EXPECT_TRUE(holds(form.err, "truth.xls: expected a name that ends in .csv or .h5"));
-  const Ended none = tool({"reference", "walls_still", "-o", "truth.csv"});
+  const Ended none = tool({"export", "walls_still", "-o", "truth.csv"});
   EXPECT_EQ(none.status, 4);
   EXPECT_TRUE(holds(none.err, "the case has no such reference"));
   EXPECT_FALSE(fs::exists(directory() / "truth.csv"));

@@ -71,19 +71,6 @@ TEST(SineMotionOfASurge, HasExactDerivatives) {
   expect_consistent_derivatives(motion, 0, 20, 1);
 }
 
-TEST(RampedSineMotion, HasExactDerivatives) {
-  const SurgeMotion motion = surge_motion(surging(SineMotion{0.02, omega, 2}));
-  expect_consistent_derivatives(motion, 0.1, 20, 1);
-}
-
-TEST(RampedSineMotion, StartsAtRestWithoutAJerk) {
-  const SurgeMotion motion = surge_motion(surging(SineMotion{0.02, omega, 2}));
-  EXPECT_EQ(motion.displacement(0), 0);
-  EXPECT_EQ(motion.velocity(0), 0);
-  EXPECT_EQ(motion.acceleration(0), 0);
-  EXPECT_NEAR(motion.acceleration(1e-6), 0, 1e-9);
-}
-
 TEST(RampedSineMotion, JoinsTheSineSmoothlyWhereTheRampEnds) {
   const SurgeMotion ramped = surge_motion(surging(SineMotion{0.02, omega, 1.75}));
   const SurgeMotion sine = surge_motion(surging(SineMotion{0.02, omega}));
@@ -104,13 +91,17 @@ TEST(SineMotionOfASurge, StartsWhereItsPhaseSays) {
   expect_consistent_derivatives(motion, 0, 20, 1);
 }
 
-TEST(RampedSineMotion, StartsAtRestWithAnyPhase) {
-  const SurgeMotion motion = surge_motion(surging(SineMotion{0.02, omega, 2, 1.1}));
-  EXPECT_EQ(motion.displacement(0), 0);
-  EXPECT_EQ(motion.velocity(0), 0);
-  EXPECT_EQ(motion.acceleration(0), 0);
-  EXPECT_NEAR(motion.displacement(5 * period), 0.02 * std::sin(1.1), 1e-15);
-  expect_consistent_derivatives(motion, 0.1, 20, 1);
+TEST(RampedSineMotion, StartsAtRestWithAnyPhaseAndAsASineWithoutAJerk) {
+  for (const double phase : {0.0, 1.1}) {
+    const SurgeMotion motion = surge_motion(surging(SineMotion{0.02, omega, 2, phase}));
+    EXPECT_EQ(motion.displacement(0), 0);
+    EXPECT_EQ(motion.velocity(0), 0);
+    EXPECT_EQ(motion.acceleration(0), 0);
+    EXPECT_NEAR(motion.displacement(5 * period), 0.02 * std::sin(phase), 1e-15);
+    expect_consistent_derivatives(motion, 0.1, 20, 1);
+  }
+  const SurgeMotion sine = surge_motion(surging(SineMotion{0.02, omega, 2}));
+  EXPECT_NEAR(sine.acceleration(1e-6), 0, 1e-9);
 }
 
 TEST(SumOfSines, IsTheSumOfItsSinesAndOfTheirDerivatives) {
@@ -125,21 +116,12 @@ TEST(SumOfSines, IsTheSumOfItsSinesAndOfTheirDerivatives) {
   expect_consistent_derivatives(sum, 0.1, 20, 1);
 }
 
-TEST(TableMotionOfASurge, HasExactDerivativesBetweenItsPoints) {
-  const SurgeMotion motion = surge_motion(surging(irregular_sine()));
-  expect_consistent_derivatives(motion, 0.001, 9.5, 1);
-}
-
-TEST(TableMotionOfASurge, PassesThroughItsPoints) {
+TEST(TableMotionOfASurge, PassesThroughItsPointsAndFollowsTheSampledFunctionBetweenThem) {
   const TableMotion table = irregular_sine();
   const SurgeMotion motion = surge_motion(surging(table));
-  for (std::size_t i = 0; i < table.time.size(); ++i) {
+  expect_consistent_derivatives(motion, 0.001, 9.5, 1);
+  for (std::size_t i = 0; i < table.time.size(); ++i)
     EXPECT_NEAR(motion.displacement(table.time[i]), table.value[i], 1e-14);
-  }
-}
-
-TEST(TableMotionOfASurge, FollowsTheSampledFunctionAndItsDerivatives) {
-  const SurgeMotion motion = surge_motion(surging(irregular_sine()));
   for (double t = 0; t < 9.9; t += 0.011) {
     // Spacing 0.05 at most: errors of order spacing^4, ^3 and ^2.
     ASSERT_NEAR(motion.displacement(t), std::sin(omega * t), 1e-6);
@@ -194,22 +176,6 @@ TEST(RollMotion, GoesTogetherWithASurge) {
   EXPECT_EQ(surge_motion(rolling(irregular_sine())).displacement(1.1), 0);
 }
 
-TEST(RollMotion, OfATableHasAContinuousAcceleration) {
-  const auto roll = roll_motion(rolling(TableMotion{{}, {0, 1, 1.5, 3, 4}, {0, 2, -1, 0, 3}}));
-  for (double t : {1.0, 1.5, 3.0}) {
-    constexpr double beside = 1e-9;
-    EXPECT_NEAR(roll->acceleration(t - beside), roll->acceleration(t + beside), 1e-6);
-    EXPECT_GT(std::abs(roll->acceleration(t - 0.1) - roll->acceleration(t + 0.1)), 0.1);
-  }
-}
-
-TEST(ForcingFrequency, IsTheSinesAndZeroForATable) {
-  EXPECT_EQ(forcing_frequency(moved_by({})), 0);
-  EXPECT_EQ(forcing_frequency(surging(SineMotion{0.02, omega})), omega);
-  EXPECT_EQ(forcing_frequency(rolling(SineMotion{0.07, 2})), 2);
-  EXPECT_EQ(forcing_frequency(surging(irregular_sine())), 0);
-}
-
 TEST(ForcedModes, AreOneForEachFrequencyInTheOrderOfTheMotions) {
   CaseDefinition both = rolling(SumOfSines{{SineMotion{0.07, 3}, SineMotion{0.01, omega}}});
   both.motion.surge = SumOfSines{{SineMotion{0.02, omega}, SineMotion{0.01, 5}}};
@@ -241,18 +207,18 @@ TEST(ForcedModes, AreKnownByTheirNames) {
   EXPECT_FALSE(is_forced("whole"));
 }
 
-TEST(ForcingFrequency, OfTwoMotionsIsTheOneThatTheyShare) {
+TEST(ForcingFrequency, IsThatOfTheSineWhichTheMotionsShareOrWhatTheCaseDeclaresOfATable) {
+  EXPECT_EQ(forcing_frequency(surging(SineMotion{0.02, omega})), omega);
+  EXPECT_EQ(forcing_frequency(rolling(SineMotion{0.07, 2})), 2);
+  CaseDefinition nearly_a_sine = rolling(irregular_sine());
+  EXPECT_EQ(forcing_frequency(nearly_a_sine), 0);
+  nearly_a_sine.declared_forcing_frequency = 3.84;
+  EXPECT_EQ(forcing_frequency(nearly_a_sine), 3.84);
   CaseDefinition both = rolling(SineMotion{0.07, omega});
   both.motion.surge = SineMotion{0.02, omega};
   EXPECT_EQ(forcing_frequency(both), omega);
   both.motion.surge = SineMotion{0.02, 2 * omega};
   EXPECT_EQ(forcing_frequency(both), 0);
-}
-
-TEST(ForcingFrequency, IsWhatTheCaseDeclaresOfATable) {
-  CaseDefinition nearly_a_sine = rolling(irregular_sine());
-  nearly_a_sine.declared_forcing_frequency = 3.84;
-  EXPECT_EQ(forcing_frequency(nearly_a_sine), 3.84);
 }
 
 double position(double t) { return std::sin(3 * t) + 0.1 * t * t; }

@@ -63,53 +63,41 @@ TEST(SolverKinds, GroupRunsInFamiliesByResolution) {
   EXPECT_EQ(resolution(runs.at("record")), 0);
 }
 
-TEST(SolverKinds, TellTheProgramsOfOpenFoamApart) {
-  const RunDefinition sharp =
-      run_of(InterFoamRun{.cells_x = 50, .cells_z = 40, .program = FoamProgram::inter_iso_foam});
-  EXPECT_EQ(family(sharp), "interIsoFoam");
-  EXPECT_EQ(caption_text(sharp), "interIsoFoam, 50 x 40 cells");
-  EXPECT_EQ(family(runs.at("compressible_interfoam")), "compressibleInterFoam");
-  const RunDefinition plain = run_of(InterFoamRun{50, 40});
-  EXPECT_NE(hashed_settings(sharp), hashed_settings(plain));
-  EXPECT_EQ(hashed_settings(plain).dump(), "{\"interfoam\":[50,40,1]}")
-      << "the results of interFoam keep their keys";
-}
-
-TEST(SolverKinds, TellAMeshWithAnotherCourantNumberApart) {
-  const RunDefinition usual = run_of(InterFoamRun{50, 40});
-  InterFoamRun mesh{50, 40};
-  mesh.courant_number = mesh.interface_courant_number = 0.25;
-  EXPECT_EQ(work_family(run_of(mesh)), "interFoam, courant_number = 0.25");
-  mesh.courant_number = 0.5;
-  const RunDefinition shorter = run_of(mesh);
-  EXPECT_EQ(family(shorter), "interFoam");
-  EXPECT_EQ(work_family(shorter), "interFoam, interface_courant_number = 0.25");
-  EXPECT_EQ(caption_text(shorter), "interFoam, 50 x 40 cells, interface_courant_number = 0.25");
-  EXPECT_TRUE(is_changed(shorter));
-  EXPECT_FALSE(is_changed(usual));
-  EXPECT_NE(hashed_settings(shorter), hashed_settings(usual));
-}
-
-TEST(SolverKinds, TellAMeshWithNoSlipOrGradedCellsApart) {
-  InterFoamRun graded{50, 40};
-  graded.no_slip = true;
+TEST(SolverKinds, TellMeshesApartByTheirProgramAndWhatIsChangedOfThem) {
+  struct Row {
+    InterFoamRun mesh;
+    const char *caption, *work_family, *settings;
+  };
+  const InterFoamRun usual{50, 40};
+  InterFoamRun sharp = usual, shorter = usual, fewer = usual, graded = usual, across = usual;
+  sharp.program = FoamProgram::inter_iso_foam;
+  shorter.interface_courant_number = 0.25;
+  fewer.courant_number = fewer.interface_courant_number = 0.25;
+  graded.no_slip = across.no_slip = true;
   graded.wall_cell = 0.001;
-  EXPECT_EQ(work_family(run_of(graded)), "interFoam, no_slip, graded cells");
-  InterFoamRun thinner = graded;
-  thinner.wall_cell = 0.0005;
-  EXPECT_NE(hashed_settings(run_of(graded)), hashed_settings(run_of(thinner)));
-  EXPECT_EQ(work_family(run_of(graded)), work_family(run_of(thinner)))
-      << "meshes of a refinement have wall cells of their own";
-}
-
-TEST(SolverKinds, TellAMeshInThreeDimensionsApart) {
-  InterFoamRun across{50, 40};
-  across.no_slip = true;
-  const InterFoamRun plane = across;
   across.cells_y = 8;
-  EXPECT_EQ(work_family(run_of(across)), "interFoam, no_slip, three dimensions");
-  EXPECT_EQ(solver_text(run_of(across)), "interFoam, 50 x 8 x 40 cells, no_slip, three dimensions");
-  EXPECT_NE(hashed_settings(run_of(across)), hashed_settings(run_of(plane)));
+  for (const auto& [mesh, caption, family_of_work, settings] :
+       {Row{usual, "interFoam, 50 x 40 cells", "interFoam", R"({"interfoam":[50,40,1]})"},
+        {sharp, "interIsoFoam, 50 x 40 cells", "interIsoFoam",
+         R"({"interfoam":[50,40,1],"program":"interIsoFoam"})"},
+        {shorter, "interFoam, 50 x 40 cells, interface_courant_number = 0.25",
+         "interFoam, interface_courant_number = 0.25",
+         R"({"changes":[0.5,0.25,1,false,0.0],"interfoam":[50,40,1]})"},
+        {fewer, "interFoam, 50 x 40 cells, courant_number = 0.25",
+         "interFoam, courant_number = 0.25",
+         R"({"changes":[0.25,0.25,1,false,0.0],"interfoam":[50,40,1]})"},
+        {graded, "interFoam, 50 x 40 cells, no_slip, graded cells",
+         "interFoam, no_slip, graded cells",
+         R"({"changes":[0.5,0.5,1,true,0.001],"interfoam":[50,40,1]})"},
+        {across, "interFoam, 50 x 8 x 40 cells, no_slip, three dimensions",
+         "interFoam, no_slip, three dimensions",
+         R"({"cells_y":8,"changes":[0.5,0.5,1,true,0.0],"interfoam":[50,40,1]})"}}) {
+    const RunDefinition run = run_of(mesh);
+    EXPECT_EQ(caption_text(run), caption);
+    EXPECT_EQ(work_family(run), family_of_work);
+    EXPECT_EQ(hashed_settings(run).dump(), settings) << "the results keep their keys";
+    EXPECT_EQ(is_changed(run), work_family(run) != family(run));
+  }
   EXPECT_EQ(number_of_cells(across), 16000);
 }
 
@@ -126,18 +114,14 @@ TEST(SolverKinds, KnowAStoredResultByItsMethod) {
   EXPECT_EQ(solver_text(stored), "stored result, method `their_sph`, spacing 20 mm");
 }
 
-TEST(SolverKinds, TakeAnExternalProgramsMethodForAScheme) {
-  ExternalRun mine{{"bin/my_sph"}, {}, {}, {}, {}, "my_sph", 0.02};
+TEST(SolverKinds, TakeAnExternalProgramsMethodForASchemeAndHashItsSpacingAlone) {
+  const ExternalRun mine{{"bin/my_sph"}, {}, {}, {}, {}, "my_sph", 0.02};
   EXPECT_EQ(family(run_of(mine)), "my_sph");
   EXPECT_DOUBLE_EQ(resolution(run_of(mine)), 2500);
   EXPECT_EQ(particle_spacing(run_of(mine)), 0.02);
   EXPECT_EQ(caption_text(run_of(mine)), "external program my_sph, method my_sph, spacing 20 mm");
   EXPECT_EQ(family(runs.at("external")), "one") << "it is its own family";
   EXPECT_FALSE(particle_spacing(runs.at("external")));
-}
-
-TEST(SolverKinds, HashAnExternalProgramsSpacingAndNotItsMethodsName) {
-  const ExternalRun mine{{"bin/my_sph"}, {}, {}, {}, {}, "my_sph", 0.02};
   ExternalRun finer = mine, renamed = mine;
   finer.particle_spacing = 0.01;
   renamed.method = "our_sph";

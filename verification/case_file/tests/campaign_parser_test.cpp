@@ -10,7 +10,7 @@
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/messages.hpp"
-#include "verification/tests/small_campaign.hpp"
+#include "verification/tests/small_case.hpp"
 #include "verification/tests/trial_case.hpp"
 
 namespace slosh::campaign_parser_test {
@@ -84,7 +84,9 @@ TEST_F(CampaignParser, TellsAllMistakesAtOnce) {
 
 TEST_F(CampaignParser, TakesPathsRelativeToTheCampaign) {
   workspace_.write("own.toml", "not read here");
-  const auto campaign = read(head + "cases = [\"own.toml\", \"li2010_small_amplitude\"]\n");
+  const auto campaign =
+      read(head + "paper = \"li2010\"\ncases = [\"own.toml\", \"li2010_small_amplitude\"]\n");
+  EXPECT_EQ(campaign.paper, "li2010");
   EXPECT_EQ(campaign.cases.at(0), workspace_.path() / "own.toml");
   EXPECT_EQ(campaign.cases.at(1), cases / "li2010_small_amplitude.toml");
 }
@@ -93,10 +95,8 @@ TEST_F(CampaignParser, RefusesEachKindOfMistakeWithItsPlace) {
   refuse(head + "cases = [\"li2010_small_amplitude\"]\n", R"(
 cases is missing: expected an array of texts
 cases = [] -> cases = (an array): expected at least one case
-cases = [3] -> cases = 3: expected a text
 tag = 1: expected only these keys here: schema_version, name, title, source, paper, cases, problem,
   sweep, timing; nearest known key: name
-name = "a b": expected a name of
 schema_version = 3: expected 1
 paper = "another": expected one of li2010 | zhao2021
 )");
@@ -122,7 +122,8 @@ const std::string within_row = gate_head +
                                reasons;
 
 TEST_F(CampaignParser, ReadsProblemsWithTheirGateRows) {
-  const auto campaign = read(head + eddy + order_row + error_row + within_row);
+  const auto campaign =
+      read(head + eddy + order_row + error_row + within_row + "kind = \"regression\"\n");
   EXPECT_TRUE(campaign.cases.empty());
   ASSERT_EQ(campaign.problems.size(), 1u);
   EXPECT_EQ(campaign.problems[0].name, "eddy");
@@ -134,11 +135,7 @@ TEST_F(CampaignParser, ReadsProblemsWithTheirGateRows) {
   EXPECT_EQ(gate[1].unit, "m/s");
   EXPECT_EQ(gate[2].between, std::pair(-1.2, -0.8));
   EXPECT_EQ(gate[0].kind, RowKind::validation);
-}
-
-TEST_F(CampaignParser, TakesALimitThatWasMeasuredBeforeForARegressionRow) {
-  const auto campaign = read(head + eddy + order_row + "kind = \"regression\"\n");
-  EXPECT_EQ(campaign.problems.at(0).gate.at(0).kind, RowKind::regression);
+  EXPECT_EQ(gate[2].kind, RowKind::regression);
 }
 
 TEST_F(CampaignParser, RefusesEachKindOfMistakeInAProblem) {
@@ -146,7 +143,6 @@ TEST_F(CampaignParser, RefusesEachKindOfMistakeInAProblem) {
 problem.gate.kind = "regresion": expected what the limit comes from, one of validation, regression;
   nearest: regression
 problem.name = "edy": expected a problem, one of eddy, drop; nearest: eddy
-problem.quick = true: expected only these keys here: name, gate
 problem.gate.measure = "velocty": expected a measure of eddy, one of velocity, decay_rate; nearest:
   velocity
 problem.gate.metric = "order": expected a metric, one of order_at_least, order_within,
@@ -154,11 +150,9 @@ problem.gate.metric = "order": expected a metric, one of order_at_least, order_w
 problem.gate.unit = "m/s": expected the unit of order_at_least, which is 1
 problem.gate.limit is missing & problem.gate.lower = 1.9 -> problem.gate.limit is missing: expected
   limit alone
-problem.gate.reasons = "a reason": expected only these keys
 )");
   refuse(head + eddy + error_row, R"(
 problem.gate.unit = "1": expected the unit of largest_error, which is m/s
-problem.gate.limit = 0: expected a number > 0
 problem.gate.limit = 1e+300: expected a number > 0 and below 1e+09, in m/s: a wider limit holds any
   error
 )");
@@ -166,7 +160,6 @@ problem.gate.limit = 1e+300: expected a number > 0 and below 1e+09, in m/s: a wi
 problem.gate.upper = 1e+300: expected a number above lower (-1.2) and below 0.8: a wider range holds
   any order
 problem.gate.lower is missing & problem.gate.limit = 1: expected lower and upper, and no limit
-problem.gate.upper = -1.3: expected a number above lower
 )");
   refuse(head + eddy, "-> problem.gate is missing: expected at least one");
   refuse(head + eddy + order_row + eddy + order_row, R"(
@@ -176,13 +169,6 @@ problem.gate.upper = -1.3: expected a number above lower
 problem.gate.limit = 0.1 -> problem.gate = a second bound on order_at_least of velocity: expected
   each metric of a measure once; the first is on line 7
 )");
-}
-
-TEST_F(CampaignParser, TakesOneOfThePapersThatTheReportKnows) {
-  const std::string list = "cases = [\"li2010_small_amplitude\"]\n";
-  for (const char* paper : {"li2010", "zhao2021"})
-    EXPECT_EQ(read(head + "paper = \"" + paper + "\"\n" + list).paper, paper);
-  EXPECT_EQ(read(head + list).paper, "");
 }
 
 TEST_F(CampaignParser, NamesTheNearestCaseAndTheNearestCampaign) {
@@ -277,16 +263,9 @@ sweep.gate.candidates = ["*"] -> sweep.gate.candidates = (an array): expected no
 sweep.name = "{particle_spacing_m}": expected ... names each run apart
 sweep.name = "{schema}_{particle_spacing_m}": expected ... there is no schema
 sweep.cases = ["big*"] -> sweep.cases = "big*": expected a case of the campaign or a pattern of them
-sweep.cases = ["sm*", "smal"] -> sweep.cases = "smal": expected a case of the campaign
 sweep.cases = [] -> sweep.cases = (an array): expected a case of the campaign
 sweep.cases = ["sm*", "small"]: accepted
 )");
-}
-
-TEST_F(Sweep, RefusesAKeyThatNoRunHas) {
-  EXPECT_TRUE(
-      holds(message_of<CaseFileError>([&] { swept(with(sweep, "courant_number", "courant")); }),
-            "nearest known key"));
 }
 
 TEST_F(Sweep, MayRepeatEachOfItsRunsUnderOneRow) {
@@ -323,9 +302,6 @@ TEST_F(Sweep, GivesOneCommandOfAProgramItsSpacings) {
   EXPECT_EQ(mine.particle_spacing, 0.025);
   EXPECT_EQ(mine.method, "mine");
   ASSERT_EQ(mine.series.size(), 1u);
-}
-
-TEST_F(Sweep, RefusesTwoRunsOfAMethodAtOneSpacing) {
   refuse(programs, R"(
 sweep.name = "{time_limit_s}_{particle_spacing_m}" & sweep.time_limit_s = [1, 2] &
   sweep.particle_spacing_m = 0.05: expected a spacing that no other run of the method has; 1_0p05 has

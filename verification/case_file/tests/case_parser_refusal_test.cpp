@@ -14,14 +14,10 @@ TEST(CaseParserRefusal, SaysWhichKeysThereAre) {
   expect_refusals(valid_text, R"(
 tank.lenght_m = 2: expected only these keys here: length_m, height_m, outline_m, diameter_m,
   breadth_m; nearest known key: length_m
-gauge.colour = "red": expected only these keys here: name, x_m; nearest known key:
 gates = 3: expected only these keys here: schema_version,
-run(mesh).cell_z = 40: expected only these keys here:
 run(mesh).modes = 3: expected only these keys here: name, solver, quick, cells_x, cells_z, processes,
   courant_number, interface_courant_number, outer_corrections, no_slip, wall_cell_m, cells_y,
   start_disorder, start_seed, repeats, quick_repeats, vary_inputs; nearest known key:
-run(mesh).expected_speed = "coarse_run": expected only these keys here: name, solver, quick, cells_x,
-run(mesh).variant = "a": expected only these keys here: name, solver, quick, cells_x
 motion.surge.amplitude_deg = 0.02: expected only these keys here: type, amplitude_m,
   angular_frequency_rad_s, frequency_Hz, period_s, phase_deg, ramp_periods, sines, file,
   time_offset_s, segments; nearest known key: amplitude_m
@@ -61,39 +57,28 @@ gravity_m_s2 = nan: expected a number >= 0, in m/s2
 gravity_m_s2 = -9.81: expected a number >= 0, in m/s2
 gravity_m_s2 = 0 -> comparison.natural_modes = 2: expected 0 without gravity
 tank.length_m = -2: expected a number > 0, in m
-tank.breadth_m = 0.0: expected a number > 0, in m
-tank.breadth_m = -0.06: expected a number > 0, in m
 tank.breadth_m = 0.06 -> run(theory).solver = "linear": expected a solver that counts the friction of
   the gap walls, one of sph, interfoam and interisofoam, and with cells_y
   compressible_interfoam, where [tank] has breadth_m
 liquid.fill_depth_m = 1.5: expected a number > 0 and below the tank's height (1), in m
-liquid.fill_depth_m = 1.0: expected
-liquid.fill_depth_m = 0.0: expected
-liquid.density_kg_m3 = -1000.0: expected a number > 0, in kg/m3
 liquid.column_width_m = 2.0: expected a number > 0 and below the tank's length (2), in m
-liquid.column_width_m = 0: expected a number > 0
 liquid.column_width_m = 0.5 -> comparison.natural_modes = 2: expected 0 for a dam about to break
-liquid.kinematic_viscosity_m2_s = -1e-06: expected a number >= 0, in m2/s
 gas.density_kg_m3 = 1000: expected a number > 0 and below the liquid's density (1000), in kg/m3
 motion.surge.type = "sin": expected a motion, one of sine, sines, table; nearest: sine
-motion.surge.amplitude_m = inf: expected a number > 0, in m
 motion.surge.amplitude_m = 0: expected a number > 0, in m
 motion.surge.ramp_periods = -1: expected a number >= 0, in periods
 time.start = "Earth": expected the frame in which the liquid is first at rest (earth: the liquid
   stands still and a tank that moves off at once strikes it; tank: the liquid moves off with the
   tank), one of earth, tank; nearest: earth
 time.start = "at_rest_in_tank": expected the frame ... one of earth, tank; nearest: tank
-time.duration_s = 0: expected a number > 0, in s
 time.sample_interval_s = 21: expected a number > 0 and <= the duration (20), in s
 time.sample_interval_s = 1e-09: expected a number > 0 and <= the duration (20), in s, and >= 1e-05,
   for at most two million samples
 gauge(right).x_m = 2.05: expected a number from 0 to the tank's length (2), in m from the left wall
 gauge(left).name = "right" -> gauge.name = "right": expected a name that no other gauge has
-comparison.window_begin_s = -1.0: expected a number >= 0, in s
 comparison.window_end_s is missing & comparison.window_begin_s = 20.0: expected a number below the
   duration (20), in s
 comparison.window_end_s = 20.5: expected a number above window_begin_s (1) and <= duration_s (20), in s
-comparison.window_end_s = 0.5: expected
 comparison.natural_modes = -1: expected an integer from 0 to 100
 )");
 }
@@ -102,18 +87,13 @@ TEST(CaseParserRefusal, KeepsObstaclesInTheTankAndApart) {
   const std::string baffle =
       "[[obstacle]]\nname = \"baffle\"\nleft_m = 0.9\nright_m = 1.1\nbottom_m = 0.0\ntop_m = 0.2\n";
   expect_refusals(valid_text + baffle, R"(
-obstacle.name = "a baffle": expected a name of letters
-obstacle.left_m = -0.1: expected a number >= 0, in m
 obstacle.right_m = 0.9: expected a number above left_m (0.9) and <= the tank's length (2), in m
-obstacle.right_m = 2.1: expected a number above left_m (0.9)
-obstacle.bottom_m = -0.1: expected a number >= 0, in m
 obstacle.bottom_m = 0.1 & obstacle.top_m = 1.2: expected a number above bottom_m (0.1) and <= the
   tank's height (1), in m
 obstacle.left_m = 0 & obstacle.right_m = 2: expected a number below the tank's length (2), in m, for
   an obstacle from the left wall
 obstacle.left_m = 1.9 & obstacle.right_m = 2.0 & obstacle.top_m = 0.5: expected a number below the
   fill depth (0.5), in m, or another place: the obstacle swallows the gauge right at 1.95 m
-obstacle.top_m is missing: expected a number above bottom_m (0)
 )");
   expect_refusals(valid_text + baffle + baffle, R"(
 obstacle.name = "b" & obstacle.left_m = 1.0: expected a rectangle that does not overlap that of the
@@ -131,32 +111,19 @@ run(mesh).solver = "interFoam": expected a solver, one of sph, interfoam, interi
   interfoam
 run(theory).modes = 0: expected an integer from 1 to 100000
 run(theory).modes = 2000000000: expected an integer from 1 to 100000
-run(theory).valid_elevation_over_depth = 0: expected a number > 0
 run(theory).valid_elevation_over_depth = 1e+308: expected a number > 0 and < 1, in fill depths: a
   trough of one bares the bottom
 run(coarse).particle_spacing_m = -0.02: expected a number > 0 and <= the fill depth (0.5), in m
-run(coarse).particle_spacing_m = 0.6: expected
 run(coarse).particle_spacing_m = 1e-07: expected a number > 0 and <= the fill depth (0.5), in m, and
   >= 0.0001, the spacing of a hundred million particles
 run(coarse).surface_particle_spacing_m = 0.03: expected a number > 0 and <= particle_spacing_m
   (0.02), in m
 run(coarse).expected_speed = "fine_run": expected where the expected largest speed comes from, one
   of estimate, coarse_run
-run(coarse).variant = "": expected a text that is not empty
 run(coarse).smoothing_length_ratio = 0: expected a number from 0.5 to 10, without unit
-run(coarse).sound_speed_ratio = -10.0: expected a number from 1 to 1000, without unit
-run(coarse).sound_speed_ratio = 0.001: expected a number from 1 to 1000
-run(coarse).courant_number = 0: expected a number from 0.001 to 10, without unit
-run(coarse).artificial_viscosity = -0.1: expected a number >= 0, without unit
-run(coarse).density_diffusion = -0.1: expected a number >= 0, without unit
 run(mesh).courant_number = 1.5: expected a number > 0 and <= 1
-run(mesh).interface_courant_number = 0.0: expected a number > 0 and <= 1
 run(mesh).wall_cell_m = 0.1: expected a number > 0 and <=
-run(mesh).cells_x = 50.0: expected an integer from 2 to 10000
 run(mesh).cells_x = 5000000000: expected an integer from 2 to 10000
-run(mesh).cells_x = 1: expected an integer from 2 to 10000
-run(mesh).cells_z = 1: expected an integer from 2 to 10000
-run(mesh).processes = 0: expected an integer from 1 to cells_x (50)
 run(mesh).processes = 51: expected an integer from 1 to cells_x (50)
 )");
 }
@@ -169,7 +136,6 @@ gate.reference is missing: expected a run other than the candidate
 gate.quantity = "elevation@rigth": expected a compared quantity, one of elevation@right,
   elevation@left, force_x, force_z, momentum_x, momentum_z, highest_surface@right,
   highest_surface@left; nearest: elevation@right
-gate.quantity = "pressure@right": expected
 gate.quantity = "front_position": expected a compared quantity, one of elevation@right, elevation@left
 gate.mode = "natural_2": expected what amplitude_error is measured on, one of forced, natural_1,
   natural_3; nearest: natural_
@@ -197,7 +163,6 @@ gate.unit = "%": expected the unit of amplitude_error, which is 1
 gate.metric = "rms_error" -> gate.mode = "forced": expected what rms_error is measured on
 gate.mode = "whole" & gate.metric = "mean_offset" -> gate.unit = "1": expected the unit of mean_offset
 gate.mode = "whole" & gate.metric = "noise_share" -> gate.reference = "theory": expected no reference
-gate.reason = "": expected a text that is not empty
 )");
 }
 
@@ -206,7 +171,6 @@ TEST(CaseParserRefusal, WantsABoundThatCanFail) {
 gate.limit = -0.05: expected a number > 0 and below 1, without unit (a candidate that does not move
   has -1)
 gate.limit = 1: expected a number > 0 and below 1, without unit (a candidate that does not move has -1)
-gate.limit = 1e+300: expected a number > 0 and below 1
 gate.metric = "phase_lag" & gate.unit = "deg" & gate.limit = 180: expected a number > 0 and below
   180, in deg (a lag is known but for whole periods
 gate.mode = "whole" & gate.metric = "mean_offset" & gate.unit = "m" & gate.limit = 1000000000.0:
@@ -245,7 +209,6 @@ TEST(CaseParserRefusal, WantsTheErrorWhoseCostARowIsOn) {
   expect_refusals(cost, R"(
 -> gate.error is missing: expected a normalised rms above 0 and below 1, without unit
 gate.error = 10: expected a normalised rms above 0 and below 1, without unit
-gate.error = 0: expected a normalised rms above 0
 gate.error = 0.1 & gate.limit is missing & gate.lower = 1 & gate.upper = 2 -> gate = a row on
   cost_to_reach: expected limit: cheaper is better
 gate.error = 0.1 & gate.unit = "h": expected the unit of cost_to_reach, which is s
@@ -254,21 +217,13 @@ gate.error = 0.1 & gate.unit = "h": expected the unit of cost_to_reach, which is
 
 // A case file with several mistakes: all of them are reported at once, and each of them only once.
 
-std::string with_edits(const std::vector<Edit>& edits) {
-  std::string text = valid_text;
-  for (const Edit& edit : edits) {
-    const std::size_t at = text.find(edit.from);
-    if (at == std::string::npos) throw std::logic_error("no such text: " + edit.from);
-    text.replace(at, edit.from.size(), edit.to);
-  }
-  return text;
-}
+using Mistakes = std::vector<std::string>;
 
-// The messages without the directory of the file, each up to what was expected.
-std::vector<std::string> mistakes_in(const std::string& text) {
+// Each up to ": expected", without the directory.
+Mistakes mistakes_in(const std::string& text) {
   const Workspace workspace;
-  const std::string directory = workspace.path().string() + "/";
-  std::vector<std::string> found;
+  const std::string directory = workspace.path().string() + "/trial.toml:";
+  Mistakes found;
   try {
     read_case(workspace.write("trial.toml", text));
   } catch (const CaseFileErrors& errors) {
@@ -280,88 +235,71 @@ std::vector<std::string> mistakes_in(const std::string& text) {
   return found;
 }
 
-using Mistakes = std::vector<std::string>;
+Mistakes mistakes_of(const std::string& changes) {
+  return mistakes_in(with_keys(valid_text, changes));
+}
 
 TEST(CaseParserComplaints, AreOfEverySectionAtOnce) {
-  const Mistakes told = mistakes_in(with_edits({{"\"A trial\"", "3"},
-                                                {"density_kg_m3 = 1.2", "density_kg_m3 = 1200.0"},
-                                                {"x_m = 0.05", "x_m = 5.0"},
-                                                {"window_end_s = 20.0", "window_end_s = 21.0"},
-                                                {"modes = 500", "modes = 0"},
-                                                {"cells_z = 40", "cell_z = 40"}}));
-  EXPECT_EQ(told, (Mistakes{"trial.toml:3: title = 3", "trial.toml:15: gas.density_kg_m3 = 1200.0",
-                            "trial.toml:30: gauge.x_m = 5.0",
-                            "trial.toml:33: comparison.window_end_s = 21.0",
-                            "trial.toml:38: run.modes = 0", "trial.toml:51: run.cell_z = 40"}));
+  EXPECT_EQ(
+      mistakes_of("title = 3 & gas.density_kg_m3 = 1200.0 & gauge(left).x_m = 5.0 & "
+                  "comparison.window_end_s = 21.0 & run(theory).modes = 0 & run(mesh).cell_z = 40"),
+      (Mistakes{"3: title = 3", "15: gas.density_kg_m3 = 1200.0", "30: gauge.x_m = 5.0",
+                "33: comparison.window_end_s = 21.0", "38: run.modes = 0", "52: run.cell_z = 40"}));
 }
 
 TEST(CaseParserComplaints, AreOfEveryUnknownKeyOfATable) {
-  EXPECT_EQ(mistakes_in(with_edits({{"length_m = 2\nheight_m", "lenght_m = 2\nhight_m"}})),
-            (Mistakes{"trial.toml:9: tank.hight_m = 1.0", "trial.toml:8: tank.lenght_m = 2"}));
+  EXPECT_EQ(mistakes_in(edited({"length_m = 2\nheight_m", "lenght_m = 2\nhight_m"})),
+            (Mistakes{"9: tank.hight_m = 1.0", "8: tank.lenght_m = 2"}));
 }
 
 TEST(CaseParserComplaints, AreOfEveryWrongValueOfATable) {
-  EXPECT_EQ(mistakes_in(with_edits({{"length_m = 2\nheight_m = 1.0", "length_m = -2\nheight_m = 0"},
-                                    {"start = \"earth\"", "start = \"moon\""}})),
-            (Mistakes{"trial.toml:8: tank.length_m = -2", "trial.toml:9: tank.height_m = 0",
-                      "trial.toml:22: time.start = \"moon\""}));
-  EXPECT_EQ(mistakes_in(with_edits({{"cells_x = 50\ncells_z = 40", "cells_x = 1\ncells_z = 0"},
-                                    {"a reason", ""},
-                                    {"\"a source\"", "4"}})),
-            (Mistakes{"trial.toml:50: run.cells_x = 1", "trial.toml:51: run.cells_z = 0",
-                      "trial.toml:60: gate.reason = \"\"", "trial.toml:61: gate.source = 4"}));
+  EXPECT_EQ(
+      mistakes_of("tank.length_m = -2 & tank.height_m = 0 & time.start = \"moon\""),
+      (Mistakes{"8: tank.length_m = -2", "9: tank.height_m = 0", "22: time.start = \"moon\""}));
+  EXPECT_EQ(mistakes_of("run(mesh).cells_x = 1 & run(mesh).cells_z = 0 & gate.reason = \"\" & "
+                        "gate.source = 4"),
+            (Mistakes{"50: run.cells_x = 1", "51: run.cells_z = 0", "60: gate.reason = \"\"",
+                      "61: gate.source = 4"}));
 }
 
-// The sample interval is not checked against a duration that could not be read.
-TEST(CaseParserComplaints, AreNotOfAValueThatRestsOnAWrongOneOfItsTable) {
-  EXPECT_EQ(mistakes_in(with_edits({{"duration_s = 20.0", "duration_s = 0"},
-                                    {"sample_interval_s = 0.01", "sample_interval_s = 15"}})),
-            Mistakes{"trial.toml:23: time.duration_s = 0"});
-}
-
-// The gauges, runs and gate rows depend on the tank; the time does not.
 TEST(CaseParserComplaints, AreNotOfWhatRestsOnAnotherMistake) {
-  EXPECT_EQ(mistakes_in(with_edits({{"length_m = 2", "length_m = -2"}, {"\"earth\"", "\"moon\""}})),
-            (Mistakes{"trial.toml:8: tank.length_m = -2", "trial.toml:22: time.start = \"moon\""}));
-  EXPECT_EQ(mistakes_in(with_edits({{"gravity_m_s2 = 9.81", "gravity_m_s2 = -9.81"}})),
-            Mistakes{"trial.toml:6: gravity_m_s2 = -9.81"});
+  // The sample interval is not checked against a duration that could not be read.
+  EXPECT_EQ(mistakes_of("time.duration_s = 0 & time.sample_interval_s = 15"),
+            Mistakes{"23: time.duration_s = 0"});
+  // The gauges, runs and gate rows depend on the tank; the time does not.
+  EXPECT_EQ(mistakes_of("tank.length_m = -2 & time.start = \"moon\""),
+            (Mistakes{"8: tank.length_m = -2", "22: time.start = \"moon\""}));
+  EXPECT_EQ(mistakes_of("gravity_m_s2 = -9.81"), Mistakes{"6: gravity_m_s2 = -9.81"});
 }
 
 TEST(CaseParserComplaints, OfAMisspeltSectionDoNotCallItMissing) {
-  EXPECT_EQ(mistakes_in(with_edits({{"[tank]", "[tnak]"}, {"title =", "titel ="}})),
-            (Mistakes{"trial.toml:3: titel = \"A trial\"", "trial.toml:7: tnak = (a table)"}));
+  EXPECT_EQ(mistakes_in(edited({"[tank]", "[tnak]"})), Mistakes{"7: tnak = (a table)"});
+  EXPECT_EQ(mistakes_in(edited({"title =", "titel ="})), Mistakes{"3: titel = \"A trial\""});
 }
 
 TEST(CaseParserComplaints, OfGaugesOrRunsThatCannotBeListedAreNotOfTheRowsThatNameThem) {
-  const std::string gauges = "[[gauge]]\nname = \"right\"\nx_m = 1.95\n[[gauge]]";
-  EXPECT_EQ(mistakes_in(with_edits({{gauges, "[gauge]"}})),
-            Mistakes{"trial.toml:25: gauge = (a table)"});
+  EXPECT_EQ(mistakes_in(edited({"[[gauge]]\nname = \"right\"\nx_m = 1.95\n[[gauge]]", "[gauge]"})),
+            Mistakes{"25: gauge = (a table)"});
   const std::size_t first = valid_text.find("[[run]]"), end = valid_text.find("[[gate]]");
-  const std::string runs = valid_text.substr(first, end - first);
-  EXPECT_EQ(mistakes_in(with_edits({{runs, ""}})), Mistakes{"trial.toml:1: run is missing"});
-  EXPECT_EQ(
-      mistakes_in(with_edits({{"schema_version = 1", "schema_version = 1\nrun = 3"}, {runs, ""}})),
-      Mistakes{"trial.toml:2: run = 3"});
+  const std::string without_runs = valid_text.substr(0, first) + valid_text.substr(end);
+  EXPECT_EQ(mistakes_in(without_runs), Mistakes{"1: run is missing"});
+  EXPECT_EQ(mistakes_in("run = 3\n" + without_runs), Mistakes{"1: run = 3"});
 }
 
 TEST(CaseParserComplaints, AreOfTheRowsOnRunsAndGaugesThatCouldBeReadAlone) {
   const std::string row = valid_text.substr(valid_text.find("[[gate]]"));
-  const auto row_on = [&](const Edit& edit) {
-    std::string text = row;
-    text.replace(text.find(edit.from), edit.from.size(), edit.to);
-    text.replace(text.find("\"1\""), 3, "\"%\"");
-    return text;
+  const auto with_rows = [&](const std::string& change, const std::string& of_first,
+                             const std::string& of_second) {
+    const std::string spoilt = " & gate.unit = \"%\"";
+    return with_keys(valid_text, change + " & " + of_first + spoilt) +
+           with_keys(row, of_second + spoilt);
   };
-  const std::string refused_run =
-      with_edits({{"cells_x = 50", "cells_x = 1"}, {row, row_on({"\"coarse\"", "\"mesh\""})}}) +
-      row_on({"elevation@right", "elevation@left"});
-  EXPECT_EQ(mistakes_in(refused_run),
-            (Mistakes{"trial.toml:50: run.cells_x = 1", "trial.toml:68: gate.unit = \"%\""}));
-  const std::string refused_gauge =
-      with_edits({{"x_m = 0.05", "x_m = 5.0"}, {row, row_on({"@right", "@left"})}}) +
-      row_on({"@right", "@right"});
-  EXPECT_EQ(mistakes_in(refused_gauge),
-            (Mistakes{"trial.toml:30: gauge.x_m = 5.0", "trial.toml:68: gate.unit = \"%\""}));
+  EXPECT_EQ(mistakes_in(with_rows("run(mesh).cells_x = 1", "gate.candidate = \"mesh\"",
+                                  "gate.quantity = \"elevation@left\"")),
+            (Mistakes{"50: run.cells_x = 1", "68: gate.unit = \"%\""}));
+  EXPECT_EQ(mistakes_in(with_rows("gauge(left).x_m = 5.0", "gate.quantity = \"elevation@left\"",
+                                  "gate.quantity = \"elevation@right\"")),
+            (Mistakes{"30: gauge.x_m = 5.0", "68: gate.unit = \"%\""}));
 }
 
 TEST(CaseParserComplaints, AreTheFirstTwentyAndSaySo) {
@@ -369,13 +307,8 @@ TEST(CaseParserComplaints, AreTheFirstTwentyAndSaySo) {
   for (int i = 0; i < 30; ++i) text += "[[gauge]]\nname = \"g\"\nx_m = -1\n";
   const Mistakes told = mistakes_in(text);
   ASSERT_EQ(told.size(), 21u);
-  EXPECT_EQ(told[0], "trial.toml:64: gauge.x_m = -1");
+  EXPECT_EQ(told[0], "64: gauge.x_m = -1");
   EXPECT_EQ(told[20], "these are the first 20; there may be more");
-}
-
-TEST(CaseParserComplaints, AreOneALine) {
-  const std::string message = complaint_about({"length_m = 2\nheight_m", "length_m = 2\nhigh_m"});
-  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   EXPECT_STREQ(CaseFileErrors({"one", "two"}).what(), "one\ntwo");
 }
 

@@ -65,7 +65,7 @@ TEST(RowGroup, HasARowForEachRunAndEachMetricInTheOrderOfTheFile) {
                               "coarse phase_lag forced"}));
 }
 
-TEST(RowGroup, GivesTheRowsThatOneWouldWriteOut) {
+TEST(RowGroup, GivesTheRowsThatOneWouldWriteOutWithTheLinesOfTheirMetrics) {
   const std::string written = R"([[gate]]
 candidate = "fine_2"
 reference = "theory"
@@ -91,13 +91,8 @@ source = "a source"
   const std::vector<GateRow> of_group = rows(group), single = rows(written);
   EXPECT_EQ(text_of(of_group[4]), text_of(single[0]));
   EXPECT_EQ(text_of(of_group[5]), text_of(single[1]));
-}
-
-TEST(RowGroup, TellsOfEachRowTheLineOfItsMetric) {
-  const std::vector<GateRow> all = rows(group);
-  EXPECT_EQ(all[0].where.line, first_line + 3);
-  EXPECT_EQ(all[1].where.line, first_line + 4);
-  EXPECT_EQ(all[8].where.line, first_line + 5);
+  EXPECT_EQ(of_group[0].where.line, first_line + 3);
+  EXPECT_EQ(of_group[8].where.line, first_line + 5);
 }
 
 TEST(RowGroup, HasARowForEachModeThatItLists) {
@@ -128,12 +123,6 @@ gate.limits = {} -> gate.limits = (a table): expected at least one metric
 )");
 }
 
-TEST(RowGroup, NeedsNoSourceForARegression) {
-  const std::vector<GateRow> all =
-      rows(changed("source = \"a source\"\n", "kind = \"regression\"\n"));
-  EXPECT_EQ(all[0].source, "measured before: the reason names it");
-}
-
 TEST(RowGroup, IsRefusedByTheKeyAndTheLineOfItsMistake) {
   expect_refusals(head + group, R"(
 gate.candidates = ["fien_*", "coarse"] -> gate.candidates = "fien_*": expected a run or a pattern of
@@ -153,12 +142,12 @@ gate.modes = ["forced"] & gate.mode = "forced": expected no such key beside mode
 run(fine_2).particle_spacing_m = -1: expected
 )");
   const Workspace workspace;
-  const std::string unsourced =
-      complaint(workspace.write("trial.toml", with_keys(head + group, "gate.source is missing")));
-  EXPECT_TRUE(holds(unsourced, "gate.source is missing"));
-  const std::string again =
-      complaint(workspace.write("trial.toml", head + group + changed("fine_*", "fine_1")));
-  EXPECT_TRUE(holds(again, "a second bound on"));
+  const auto said = [&](const std::string& text) {
+    return complaint(workspace.write("trial.toml", text));
+  };
+  EXPECT_TRUE(holds(said(with_keys(head + group, "gate.source is missing")), "source is missing"));
+  EXPECT_EQ(said(head + changed("source = \"a source\"\n", "kind = \"regression\"\n")), "");
+  EXPECT_TRUE(holds(said(head + group + changed("fine_*", "fine_1")), "a second bound on"));
 }
 
 TEST(RowGroup, OfAProblemIsOfTheMeasuresThatItsPatternsMatch) {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "verification/case/quantities.hpp"
 #include "verification/case_file/tests/refusals.hpp"
@@ -31,18 +30,13 @@ TEST(PressureGauge, MayReachToTheWallsEnds) {
   const CaseDefinition definition =
       read_text(with_gauge("name = \"a\"\nwall = \"right\"\nposition_m = 0.9\nwidth_m = 0.2\n"
                            "filter_cutoff_Hz = 49.9\n[[pressure_gauge]]\nname = \"b\"\n"
-                           "wall = \"bottom\"\nposition_m = 2.0\n"));
+                           "wall = \"bottom\"\nposition_m = 2.0\n[[pressure_gauge]]\nname = \"c\"\n"
+                           "wall = \"roof\"\nposition_m = 1.9\nwidth_m = 0.2\n"));
   EXPECT_EQ(definition.pressure_gauges.at(0).wall, Wall::right);
   EXPECT_EQ(definition.pressure_gauges.at(0).width, 0.2);
   EXPECT_EQ(definition.pressure_gauges.at(0).filter_cutoff, 49.9);
   EXPECT_EQ(definition.pressure_gauges.at(1).wall, Wall::bottom);
-}
-
-TEST(PressureGauge, MayBeInTheRoof) {
-  const CaseDefinition definition =
-      read_text(with_gauge("name = \"a\"\nwall = \"roof\"\nposition_m = 1.9\nwidth_m = 0.2\n"));
-  EXPECT_EQ(definition.pressure_gauges.at(0).wall, Wall::roof);
-  EXPECT_EQ(definition.pressure_gauges.at(0).position, 1.9);
+  EXPECT_EQ(definition.pressure_gauges.at(2).wall, Wall::roof);
 }
 
 TEST(PressureGauge, MayBeTheOnlyGauge) {
@@ -58,27 +52,19 @@ TEST(PressureGauge, MayBeTheOnlyGauge) {
 TEST(PressureGauge, IsRefusedWhereItMakesNoSense) {
   const std::string keys = "name = \"b\"\nwall = \"left\"\nposition_m = 0.1\n";
   expect_refusals(with_gauge(keys), R"(
-pressure_gauge.name = "a b": expected a name of
 pressure_gauge.wall is missing: expected a wall, one of left, right, bottom
 pressure_gauge.wall = "lift": expected a wall, one of left, right, bottom, roof; nearest: left
 pressure_gauge.position_m is missing: expected a number from 0 to the tank's height (1), in m from
   the bottom
 pressure_gauge.position_m = 1.001: expected a number from 0 to the tank's height (1)
-pressure_gauge.position_m = -0.001: expected
-pressure_gauge.position_m = nan: expected
 pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 2.1: expected a number from 0 to the
   tank's length (2), in m from the left wall
 pressure_gauge.wall = "roof" & pressure_gauge.position_m = 2.1: expected a number from 0 to the
   tank's length (2), in m from the left wall
 pressure_gauge.position_m = 0.005 & pressure_gauge.width_m = 0.011: expected a number >= 0 and <=
   0.01, in m: the whole sensor lies on the wall
-pressure_gauge.position_m = 0.999 & pressure_gauge.width_m = 0.01: expected a number >= 0 and <= 0.002
-pressure_gauge.width_m = -0.01: expected a number >= 0
 pressure_gauge.filter_cutoff_Hz = 50: expected a number > 0 and below half the sampling rate (50), in
   Hz
-pressure_gauge.filter_cutoff_Hz = 0: expected a number > 0
-pressure_gauge.hight_m = 0.1: expected only these keys here: name, wall, position_m, x_m, z_m,
-  width_m, filter_cutoff_Hz; nearest known key: width_m
 )");
   expect_refusals(with_gauge(keys + "[[pressure_gauge]]\n" + keys), R"(
 -> pressure_gauge.name = "b": expected a name that no other pressure_gauge has
@@ -123,27 +109,6 @@ TEST(ComparedQuantities, HaveTheCasesElevationsFirstAndThenItsWallPressures) {
   for (const std::string& quantity : rolling_dam) EXPECT_NE(unit_of(quantity), "");
 }
 
-TEST(ComparedQuantities, HaveTheirUnits) {
-  const std::vector<std::pair<std::string, std::string>> units{
-      {"front_position", "m"},   {"elevation@a", "m"},   {"wall_pressure@a", "Pa"},
-      {"force_x", "N/m"},        {"force_z", "N/m"},     {"wall_pressure@a/filtered", "Pa"},
-      {"moment", "N"},           {"momentum_x", "kg/s"}, {"momentum_z", "kg/s"},
-      {"highest_surface@a", "m"}};
-  for (const auto& [quantity, unit] : units) EXPECT_EQ(unit_of(quantity), unit) << quantity;
-  for (const char* none : {"", "force", "force_xy", "elevation", "velocity@a", "liquid_volume"}) {
-    EXPECT_THROW(unit_of(none), std::invalid_argument) << none;
-    EXPECT_FALSE(has_modes(none)) << none;
-  }
-}
-
-TEST(ComparedQuantities, HaveModesWhereLinearTheoryHasThem) {
-  for (const char* swings : {"elevation@a", "wall_pressure@a", "wall_pressure@a/filtered",
-                             "force_x", "moment", "momentum_x", "highest_surface@a"})
-    EXPECT_TRUE(has_modes(swings)) << swings;
-  for (const char* does_not : {"front_position", "force_z", "momentum_z"})
-    EXPECT_FALSE(has_modes(does_not)) << does_not;
-}
-
 TEST(GateOnAnyQuantity, HasTheUnitOfItsMetricOrOfTheQuantity) {
   expect_refusals(valid_text, R"(
 gate.quantity = "force_x" & gate.metric = "phase_lag" & gate.unit = "deg": accepted
@@ -177,12 +142,9 @@ TEST(SnapshotTimes, AreIncreasingMultiplesOfTheSampleInterval) {
 time.snapshot_times_s = 3: expected an array of numbers, each a
 time.snapshot_times_s = [1, 0] -> time.snapshot_times_s = 0: expected a number > 0 and <= the
   duration (20), a multiple of sample_interval_s (0.01), in s
-time.snapshot_times_s = [1, 20.01] -> time.snapshot_times_s = 20.01: expected a number > 0 and <= the
 time.snapshot_times_s = [3.455] -> time.snapshot_times_s = 3.455: expected a number > 0 and <= the
-time.snapshot_times_s = [nan] -> time.snapshot_times_s = nan: expected a number > 0 and <= the
 time.snapshot_times_s = ["1"] -> time.snapshot_times_s = "1": expected a number > 0 and <= the
 time.snapshot_times_s = [2, 1] -> time.snapshot_times_s = 1: expected a number above the one before it
-time.snapshot_times_s = [2, 2] -> time.snapshot_times_s = 2: expected a number above the one
 )");
   const std::string third =
       complaint_about({"duration_s = 20.0", "snapshot_times_s = [2,\n\n1]\nduration_s = 20.0"});

@@ -64,29 +64,16 @@ TEST(Impacts, AreRefusedByTheirLine) {
 impacts.gauge = "C": expected a pressure gauge, which is B
 impacts.times_s = [0.3, 4.073, 5.718] -> impacts.times_s = 0.3: expected a number from 0.4 to 19.6,
   in s: a quarter of the period inside the run
-impacts.times_s = [2.375, 4.073, 19.7] -> impacts.times_s = 19.7: expected a number from 0.4
 impacts.times_s = [] -> impacts.times_s = (an array): expected an array of at least one number
-impacts.times_s is missing: expected an array of at least one number
 impacts.times_s = [2.375, 2.9, 5.718] -> impacts.times_s = (an array): expected numbers at least half
   a period (0.8) apart, in s
-impacts.times_s = [2.375, nan, 5.718] -> impacts.times_s = nan: expected
-impacts.period_s = 0: expected a number > 0, in s
 impacts.peaks_Pa = [3710, 4816] -> impacts.peaks_Pa = (an array): expected as many numbers as times_s
   has, 3, in Pa
 impacts.peaks_Pa = [3710, "4816", 4691.5] -> impacts.peaks_Pa = "4816": expected a number > 0, in Pa
-impacts.peaks_Pa is missing: expected an array of numbers, each a number > 0, in Pa
-impacts.peaks_sd_Pa = 732: expected an array of numbers
-impacts.peaks_sd_Pa = [732, 0, 1706] -> impacts.peaks_sd_Pa = 0: expected a number > 0, in Pa
-impacts.plateau_begin_s = -1: expected a number >= 0
 impacts.plateau_end_s = 2.45: expected a number above plateau_begin_s (2.45) and <= duration_s (20),
   in s
-impacts.plateau_end_s = 21: expected
-impacts.plateau_Pa = inf: expected a number > 0, in Pa
-impacts.source is missing: expected a text that is not empty
-impacts.colour = 1: expected only these keys here: gauge, times_s,
 impacts.peak_table = "../peaks.txt": expected a peak table's path below the directory of the
   experiments
-impacts.peak_table = 3: expected a peak table's path
 )");
   expect_refusals(with_keys(text_with(impacts),
                             "impacts.times_s = [2, 4, 6, 8, 10] & impacts.peaks_Pa = [1, 1, 1, 1, "
@@ -131,7 +118,6 @@ TEST(GateOnImpacts, TakesThePressureAtTheirGauge) {
 TEST(GateOnImpacts, IsRefusedByItsLine) {
   const std::string arrival = row_on("wall_pressure@B", "impact_1", "impact_arrival", "s", limit);
   expect_refusals(text_with(impacts + arrivals) + arrival, R"(
-gate.metric = "impact_time": expected a metric, one of amplitude_error,
 gate.quantity = "wall_pressure@C": expected the pressure at the gauge of [impacts], which is
   wall_pressure@B
 gate.mode = "impact_4": expected what impact_arrival is measured on, one of impact_1, impact_2,
@@ -202,14 +188,12 @@ TEST(Impacts, MayBeASingleOneWithItsArrivalAndItsImpulse) {
 TEST(Impacts, AreRefusedWhereASingleOneIsMistaken) {
   expect_refusals(text_with(single), R"(
 impacts.period_s = 1 -> impacts.sought_within_s = 0.2: expected no such key beside period_s
-impacts.arrival_share = 1: expected a number > 0 and < 1
 impacts.arrivals_s = [2.36, 3] -> impacts.arrivals_s = (an array): expected as many numbers as
   times_s has, 1, in s
 impacts.arrival_share is missing & impacts.arrivals_s is missing -> impacts.arrivals_half_width_s =
   0.001: expected no such key without arrival_share and arrivals_s
 impacts.rise_times_s is missing -> impacts.rise_times_half_width_s = 0.0005: expected no such key
   without rise_times_s
-impacts.rise_times_s = [0] -> impacts.rise_times_s = 0: expected a number > 0, in s
 impacts.sought_within_s is missing & impacts.period_s = 1 -> impacts.peaks_sd_Pa is missing: expected
 )");
 }

@@ -47,13 +47,10 @@ TEST(RecordOfACase, IsReadWithItsQuantityUnitAndUncertainty) {
   ASSERT_EQ(later.time.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_DOUBLE_EQ(later.time[i], 0.1 * static_cast<double>(i) - 0.15);
-}
-
-TEST(RecordOfACase, MayBeOfAnElevationAndWithoutUncertainty) {
-  const RecordRun record =
+  const RecordRun elevation =
       front_record("", "time_s,elevation@left_m\n0,0\n1,-0.1\n2,-0.2\n3,-0.3\n");
-  EXPECT_EQ(record.quantity, "elevation@left");
-  EXPECT_FALSE(record.uncertainty);
+  EXPECT_EQ(elevation.quantity, "elevation@left");
+  EXPECT_FALSE(elevation.uncertainty);
 }
 
 TEST(RecordOfACase, IsRefusedByItsOwnLine) {
@@ -62,16 +59,9 @@ t,x -> 1: header = t,x: expected time_s and one of front_position_m, elevation@r
   elevation@left_m, force_x_N/m,
 time_s,front_position_mm -> 1: header = time_s,front_position_mm: expected
 time_s,elevation@middle_m -> 1: header = time_s,elevation@middle_m: expected
-time_s,front_position_m | 0,1 | 1,2 | 2,3 -> 4: rows = 3: expected at least 4
 time_s,front_position_m | 0,1 | 1,nan | 2,3 | 3,4 -> 3: front_position_m = nan: expected a number, in m
-time_s,front_position_m | 0,1 | 1,inf | 2,3 | 3,4 -> 3: front_position_m = inf: expected
-time_s,front_position_m | 0,1 | nan,2 | 2,3 | 3,4 -> 3: time_s = nan: expected a number, in s
-time_s,front_position_m | 0,1 | 2,2 | 2,3 | 3,4 -> 4: time_s = 2: expected a number above the last
-  row's 2, in s
-time_s,front_position_m | 0,1 | 1;2 -> 3: row = 1;2: expected 2 values
 )");
   expect_refusals({dam_text(), files}, R"(
-run.file is missing: expected a text that is not empty
 run.file = "none.csv": expected a file relative
 run.uncertainty = 0: expected a number > 0, in m
 run.scheme = "any": expected only these keys here: name, solver, quick, file, time_offset_s,
@@ -129,11 +119,7 @@ TEST(ExperimentRecord, IsReadInSiUnits) {
   EXPECT_EQ(record.time, (std::vector<double>{0.036, 0.418, 0.5, 0.61}));
   EXPECT_EQ(record.value, (std::vector<double>{3226, 3491, -100, 0}));
   EXPECT_EQ(record.uncertainty, 50);
-}
-
-TEST(ExperimentRecord, HasTheTimeOffsetAddedToItsTimes) {
-  const RecordRun record = read_record(experiment + "time_offset_s = 2\n", probe);
-  EXPECT_EQ(record.time, (std::vector<double>{2.036, 2.418, 2.5, 2.61}));
+  EXPECT_EQ(read_record(experiment + "time_offset_s = 2\n", probe).time.back(), 2.61);
 }
 
 TEST(ExperimentRecord, MayBeWrittenInAnyUnitOfItsQuantity) {
@@ -176,17 +162,10 @@ TEST(ExperimentRecord, IsNotSuppliedWhereNoDirectoryIsNamedOrTheFileIsNotThere) 
 
 TEST(ExperimentRecord, IsRefusedByItsOwnLine) {
   expect_refusals_of("probe.csv", text_with(experiment), R"(
--> 1: head = (nothing): expected a line with the columns' names above the numbers
 t,p -> 1: time_column = t_s: expected one of the file's 2 columns; nearest: t
 t_s,p | 0,1 | 1,2 | 2,3 -> 4: rows = 3: expected at least 4
 t_s,p | 0,1 | 1,x -> 3: p = x: expected a number, in kPa
-t_s,p | 0,1 | 1,nan -> 3: p = nan: expected a number, in kPa
-t_s,p | 0,1 | 1, -> 3: row = 1,: expected 2 values
-t_s,p | 0,1 | x,2 -> 3: t_s = x: expected a number, in s
 t_s,p | 0,1 | 0,2 -> 3: t_s = 0: expected a number above the last row's 0, in s
-t_s,p | 1,1 | 0,2 -> 3: t_s = 0: expected a number above the last row's 1
-t_s,p | 0,1,2 -> 2: row = 0,1,2: expected 2 values
-t_s,p | 0,1 |  -> 3: rows = 1: expected at least 4
 )");
 }
 
@@ -195,15 +174,11 @@ TEST(ExperimentRecord, HasKeysThatMakeSenseEvenWhereItIsNotSupplied) {
 run.quantity is missing: expected a compared quantity, one of elevation@right, elevation@left,
   wall_pressure@b, force_x
 run.quantity = "wall_pressure@a": expected a compared quantity
-run.unit is missing: expected a unit of wall_pressure@b, one of Pa, kPa, mbar, bar
 run.unit = "psi": expected a unit of wall_pressure@b, one of Pa, kPa, mbar, bar; nearest:
 run.quantity = "elevation@left" -> run.unit = "kPa": expected a unit of elevation@left, one of m, cm, mm
-run.value_column is missing: expected a text that is not empty
 run.uncertainty = 0: expected a number > 0, in kPa
 run.file = "a.csv": expected only these keys here: name, solver, quick, experiment, time_column
 run.experiment = "../none.csv": expected a CSV file's path below the directory of the experiments
-run.experiment = "/none.csv": expected a CSV file's path below
-run.time_offset_s = nan: expected
 )");
   expect_refusals(text_with("experimnt = \"none.csv\"\n"), R"(
 -> run.experimnt = "none.csv": expected only these keys here: ... nearest known key: experiment
@@ -216,20 +191,15 @@ fs::path experiments() {
   return named ? fs::path(named) : fs::path(SLOSH_SOURCE_DIR) / "../shared/experiments";
 }
 
-RecordRun published(const std::string& file, const std::string& value_column,
-                    const std::string& unit) {
-  const Workspace workspace;
-  return record_of(read_case(
-      workspace.write("trial.toml",
-                      text_with("experiment = \"" + file + "\"\nquantity = \"wall_pressure@b\"\n" +
-                                "unit = \"" + unit + "\"\ntime_column = \"t_s\"\n" +
-                                "value_column = \"" + value_column + "\"\n")),
-      experiments()));
-}
-
 TEST(PublishedRecord, OfTheLateralImpactHasItsFirstPeak) {
-  const RecordRun record =
-      published("spheric_test10/pressure_sensor1_lateral_water_1kHz.csv", "p_Pa", "Pa");
+  const Workspace workspace;
+  const RecordRun record = record_of(read_case(
+      workspace.write("trial.toml",
+                      text_with("experiment = "
+                                "\"spheric_test10/pressure_sensor1_lateral_water_1kHz.csv\"\n"
+                                "quantity = \"wall_pressure@b\"\nunit = \"Pa\"\n"
+                                "time_column = \"t_s\"\nvalue_column = \"p_Pa\"\n")),
+      experiments()));
   if (!record.supplied) GTEST_SKIP() << "not supplied: " << record.file;
   ASSERT_EQ(record.time.size(), 8351u);
   EXPECT_EQ(record.time.back(), 8.35);
@@ -237,15 +207,6 @@ TEST(PublishedRecord, OfTheLateralImpactHasItsFirstPeak) {
   // The impact at 2.375 s; nothing comes near it before.
   for (std::size_t i = 0; record.time[i] < 2.35; ++i) EXPECT_LT(record.value[i], 500);
   EXPECT_GT(*std::max_element(record.value.begin() + 2370, record.value.begin() + 2390), 1000);
-}
-
-TEST(PublishedRecord, OfAkyildizAndUnalIsInPascal) {
-  const RecordRun record =
-      published("akyildiz_unal_2006/akyildiz_unal2006_fig5_probe2_p.csv", "p_kPa", "kPa");
-  if (!record.supplied) GTEST_SKIP() << "not supplied: " << record.file;
-  EXPECT_EQ(record.time.size(), 27u);
-  EXPECT_EQ(record.time.front(), 0.036);
-  EXPECT_DOUBLE_EQ(record.value.front(), 3226);
 }
 
 const std::string band = "lower_column = \"low\"\nupper_column = \"high\"\n";

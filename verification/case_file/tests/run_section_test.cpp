@@ -1,11 +1,11 @@
 // Runs that are written as a group.
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
-#include "verification/case_file/groups.hpp"
+#include "verification/case_file/key_table.hpp"
 #include "verification/case_file/spacing_study.hpp"
 #include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/messages.hpp"
@@ -171,66 +171,28 @@ refinement.number = "particle_spacin": expected ... nearest: particle_spacing
 )");
 }
 
-// The keys that a [[run]] may have, by its solver: for every solver, each key of another solver is
-// refused. The refusals of the parser list the keys of a solver.
-
-using Keys = std::vector<std::string>;
-
-// How the run of a solver begins; a record has two forms.
-struct Form {
-  std::string name, text;
-};
-
-const std::vector<Form> forms{{"sph", "solver = \"sph\"\n"},
-                              {"interfoam", "solver = \"interfoam\"\n"},
-                              {"interisofoam", "solver = \"interisofoam\"\n"},
-                              {"compressible_interfoam", "solver = \"compressible_interfoam\"\n"},
-                              {"linear", "solver = \"linear\"\n"},
-                              {"viscous_wave", "solver = \"viscous_wave\"\n"},
-                              {"potential", "solver = \"potential\"\n"},
-                              {"shipped record", "solver = \"record\"\n"},
-                              {"experiment", "solver = \"record\"\nexperiment = \"a.csv\"\n"},
-                              {"external", "solver = \"external\"\n"}};
-
-std::string complaint_about_run(const Form& form, const std::string& key) {
-  return complaint_about(
-      {"[[gate]]", "[[run]]\nname = \"x\"\n" + form.text + key + " = 1\n[[gate]]"});
-}
-
-// "...: expected only these keys here: name, solver, quick, modes; nearest known key: modes"
-Keys keys_of(const Form& form) {
-  const std::string message = complaint_about_run(form, "colour");
-  const std::string before = "run.colour = 1: expected only these keys here: ";
-  const std::size_t begin = message.find(before);
-  if (begin == std::string::npos) throw std::logic_error(form.name + ": " + message);
-  const std::size_t first = begin + before.size();
-  const std::string list = message.substr(first, message.find(';') - first);
-  Keys keys;
-  for (std::size_t at = 0; at < list.size();) {
-    const std::size_t end = std::min(list.find(", ", at), list.size());
-    keys.push_back(list.substr(at, end - at));
-    at = end + 2;
-  }
-  return keys;
-}
-
-bool contains(const Keys& keys, const std::string& key) {
-  return std::find(keys.begin(), keys.end(), key) != keys.end();
-}
-
+// The keys that a [[run]] may have, by its solver: each key of another solver is refused.
 TEST(SolverKeys, OfAnotherSolverAreRefused) {
+  const Workspace workspace;
   std::size_t pairs = 0;
-  for (const Form& form : forms) {
-    const Keys own = keys_of(form);
-    for (const Form& other : forms)
-      for (const std::string& key : keys_of(other)) {
-        if (contains(own, key) || key == "experiment") continue;  // which makes a record the other
-        const std::string message = complaint_about_run(form, key);
+  for (const KeyTable& form : case_key_tables())
+    for (const std::string& solver : form.solvers) {
+      std::set<std::string> others;
+      for (const KeyTable& other : case_key_tables())
+        if (!other.solvers.empty())
+          for (const std::string& key : other.names()) others.insert(key);
+      for (const std::string& key : form.names()) others.erase(key);
+      others.erase("experiment");  // which makes a record the other
+      for (const std::string& key : others) {
+        const std::string message = complaint(workspace.write(
+            "trial.toml", valid_text + "[[run]]\nname = \"x\"\nsolver = \"" + solver + "\"\n" +
+                              (form.id == "run.experiment" ? "experiment = \"a.csv\"\n" : "") +
+                              key + " = 1\n"));
         EXPECT_TRUE(holds(message, "run." + key + " = 1: expected only these keys here: name"))
-            << form.name << ": " << message;
+            << solver << ": " << message;
         ++pairs;
       }
-  }
+    }
   EXPECT_GT(pairs, 150u);
 }
 

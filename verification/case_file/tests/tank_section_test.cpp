@@ -1,11 +1,8 @@
 // Tanks that are no rectangles, and what is measured in them.
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "verification/case/quantities.hpp"
 #include "verification/case/shape/tank_shape.hpp"
-#include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/messages.hpp"
 #include "verification/tests/trial_case.hpp"
@@ -37,35 +34,21 @@ TEST(TankOutline, IsReadWithTheSizeOfTheRectangleAroundIt) {
   EXPECT_EQ(definition.tank.breadth, 0.1);
   EXPECT_FALSE(definition.tank.diameter);
   EXPECT_DOUBLE_EQ(liquid_area(definition), 0.625);
-}
-
-TEST(TankOutline, MayRunOverSeveralLines) {
-  const std::string lines = "outline_m = [\n[0, 0],\n  [2, 0],\n[1.8, 1], [0.2, 1]]\n";
-  EXPECT_EQ(read_text(with_tank(lines)).tank.outline.size(), 4u);
-}
-
-TEST(TankOutline, OfACylinderHasTheAreaOfTheCircle) {
-  const CaseDefinition definition = read_text(with_tank("diameter_m = 2\n"));
-  EXPECT_EQ(definition.tank.diameter, 2.0);
-  ASSERT_EQ(definition.tank.outline.size(), 128u);
-  EXPECT_NEAR(signed_area(definition.tank.outline), std::numbers::pi, 1e-13);
-  EXPECT_NEAR(definition.tank.length, 1.9998, 1e-4);
-  EXPECT_EQ(definition.tank.length, definition.tank.height);
+  const CaseDefinition cylinder = read_text(with_tank("diameter_m = 2\n"));
+  EXPECT_EQ(cylinder.tank.diameter, 2.0);
+  EXPECT_EQ(cylinder.tank.outline.size(), 128u);
+  EXPECT_EQ(cylinder.tank.length, cylinder.tank.height);
 }
 
 TEST(TankOutline, IsRefusedBesideAnotherShape) {
   expect_refusals(with_tank(trapezium), R"(
 tank.length_m = 2: expected no length_m beside outline_m, which tells the tank's whole shape
 tank.diameter_m = 2: expected no diameter_m beside outline_m
-liquid.fill_depth_m = 1.0: expected a number > 0 and below the tank's height (1), in m
 gauge(right).x_m = 1.8: expected a number from 0.25 to 1.75, in m: the still surface at the fill
   depth (0.5) reaches from there to there
 )");
   expect_refusals(with_tank("diameter_m = 2\n"), R"(
 tank.height_m = 1.0: expected no height_m beside diameter_m
-tank.diameter_m = 0: expected a number > 0, in m
-tank.diameter_m is missing & tank.outline = 3: expected only these keys here: length_m, height_m,
-  outline_m, diameter_m, breadth_m; nearest known key: outline_m
 )");
 }
 
@@ -74,7 +57,6 @@ TEST(TankOutline, IsRefusedWhereItIsNoTank) {
 tank.outline_m = 3: expected an array of pairs, each a corner [x, z]
 tank.outline_m = [[0, 0], [1, 0], [1, 1, 0]] -> tank.outline_m = [1, 1, 0]: expected a corner [x, z]
   of two finite numbers, in m
-tank.outline_m = [[0, 0], [1, nan], [1, 1]] -> tank.outline_m = [1, nan]: expected a corner
 tank.outline_m = [[0, 0], [1, 0], [inf, 1]] -> tank.outline_m = [inf, 1]: expected a corner
 tank.outline_m = [[0, 0], [1, "a"], [1, 1]] -> tank.outline_m = [1, "a"]: expected a corner
 tank.outline_m = [0, 0, 1, 1] -> tank.outline_m = 0: expected a corner
@@ -98,6 +80,8 @@ tank.outline_m = [[0, 0], [2, 0], [2, 1], [1, 0.7], [0, 1]] -> tank.outline_m = 
   for (int i = 0; i < 1001; ++i) many += "[" + std::to_string(i) + ", 0], ";
   expect_refusals(with_tank(trapezium),
                   many + "] -> tank.outline_m = (an array): expected 3 to 1000 corners");
+  const std::string lines = "outline_m = [\n[0, 0],\n  [2, 0],\n[1.8, 1], [0.2, 1]]\n";
+  EXPECT_EQ(read_text(with_tank(lines)).tank.outline.size(), 4u);
   const std::string second = complaint_about(
       {"length_m = 2\nheight_m = 1.0\n", "outline_m = [[0, 0], [1, 0],\n[1, 1, 0]]\n"});
   EXPECT_TRUE(begins(second, "trial.toml:9: tank.outline_m = [1, 1, 0]"));
@@ -124,7 +108,6 @@ pressure_gauge.width_m = 0.3: expected a number >= 0 and <= 0.2, in m: the whole
   wall
 pressure_gauge.z_m = 0.5 & pressure_gauge.x_m = 1.6: expected x_m and z_m of a place on the tank's
   outline to within 2e-06 m, where the nearest to (1.6, 0.5) is
-pressure_gauge.z_m is missing: expected a number, in m
 )");
   expect_refusals(with_sensor("position_m = 0.1\n"), R"(
 pressure_gauge.wall = "left": expected no wall in a tank that is no rectangle, where x_m and z_m tell
@@ -201,9 +184,6 @@ run.solver = "viscous_wave": expected one of sph, interfoam, interisofoam, compr
 run.solver = "pysph": expected one of sph, interfoam, interisofoam, compressible_interfoam,
 run.solver = "intrefoam": expected ... nearest: interfoam
 )");
-  EXPECT_EQ(solvers_that_take_outlines(),
-            (std::vector<std::string>{"sph", "interfoam", "interisofoam", "compressible_interfoam",
-                                      "linear", "record", "external", "stored"}));
 }
 
 // [initial_wave] of a case file: what it may say, and every mistake.
@@ -227,17 +207,8 @@ TEST(InitialWaveSection, ReadsTheModeAndTheHeightAtTheLeftWall) {
   EXPECT_EQ(definition.initial_wave->mode, 3);
   EXPECT_EQ(definition.initial_wave->amplitude, -0.02);
   EXPECT_FALSE(read_text(valid_text).initial_wave);
-}
-
-TEST(InitialWaveSection, GoesWithATankThatMovesToo) {
-  const CaseDefinition definition = read_text(with_wave(third_mode));
-  EXPECT_TRUE(definition.initial_wave);
-  EXPECT_FALSE(definition.motion.still());
-}
-
-TEST(InitialWaveSection, IsTheOneNaturalModeOfATankThatStands) {
-  EXPECT_EQ(natural_modes(read_text(still_with_wave(third_mode)), 1), std::vector<int>{3});
-  EXPECT_EQ(natural_modes(read_text(still_with_wave(third_mode)), 0), std::vector<int>{});
+  EXPECT_EQ(natural_modes(definition, 1), std::vector<int>{3}) << "the one of a tank that stands";
+  EXPECT_EQ(natural_modes(definition, 0), std::vector<int>{});
 }
 
 TEST(InitialWaveSection, JoinsTheModesThatTheTanksMotionExcites) {
@@ -253,16 +224,8 @@ initial_wave.amplitude_m = 0.49: accepted
 initial_wave.amplitude_m = 0.5: expected a number other than 0 of a magnitude below 0.5, in m:
   shallower than the liquid (0.5) and below the roof (0.5 above it)
 initial_wave.amplitude_m = -0.5: expected a number other than 0 of a magnitude below 0.5
-initial_wave.amplitude_m = 0.7: expected a number other than 0 of a magnitude below 0.5
 initial_wave.amplitude_m = 0: expected
-initial_wave.amplitude_m = nan: expected
-initial_wave.amplitude_m = inf: expected
-initial_wave.amplitude_m = "high": expected
-initial_wave.mode = 0: expected an integer >= 1
 initial_wave.mode = -1: expected an integer >= 1
-initial_wave.mode = 1.5: expected an integer >= 1
-initial_wave.mode is missing: expected
-initial_wave.phase = 1: expected
 liquid.column_width_m = 1 -> initial_wave = a wave on a dam about to break: expected liquid without
   column_width_m, which stands from wall to wall
 )");

@@ -119,38 +119,27 @@ void add_baseline_commands(const CommandTree& tree) {
   const CommandTree below{baseline, tree.installation, tree.stop, tree.stop_on_signals,
                           tree.action};
   const std::string example = " verification -o wave --ledger wave.jsonl --new";
-  const Installation& installation = tree.installation;
-  const auto [diff, diff_options] =
-      add_command_on_campaign(below,
-                              {"diff",
-                               "Prints what has changed; exit status 1 if anything has",
-                               {"./slosh baseline diff" + example}},
-                              [&installation](const CampaignOptions& options) {
-                                return diff_baseline(options, installation);
-                              });
-  const auto [propose, propose_options] =
-      add_command_on_campaign(below,
-                              {"propose",
-                               "Writes a proposal to make the present results the baseline",
-                               {"./slosh baseline propose" + example}},
-                              [&installation](const CampaignOptions& options) {
-                                return propose_baseline(options, installation);
-                              });
+  const auto add = [&](const char* name, const char* description, const std::string& more,
+                       auto command) {
+    const auto [added, options] = add_command_on_campaign(
+        below, {name, description, {std::string("./slosh baseline ") + name + example + more}},
+        [command, &installation = tree.installation](const CampaignOptions& given) {
+          return command(given, installation);
+        });
+    add_ledger_option(*added, *options);
+    add_new_ledger_option(*added, *options);
+    return added;
+  };
+  add("diff", "Prints what has changed; exit status 1 if anything has", "", diff_baseline);
+  add("propose", "Writes a proposal to make the present results the baseline", "",
+      propose_baseline);
   auto approval = std::make_shared<ApprovalOptions>();
-  const auto [approve, approve_options] = add_command_on_campaign(
-      below,
-      {"approve",
-       "Adds the proposal to the ledger",
-       {"./slosh baseline approve" + example + " --who 'A. Name' --reason 'The first figures.'"}},
-      [&installation, approval](const CampaignOptions& options) {
-        return approve_baseline(options, *approval, installation);
-      });
-  add_ledger_option(*diff, *diff_options);
-  add_ledger_option(*propose, *propose_options);
-  add_ledger_option(*approve, *approve_options);
-  add_new_ledger_option(*diff, *diff_options);
-  add_new_ledger_option(*propose, *propose_options);
-  add_new_ledger_option(*approve, *approve_options);
+  CLI::App* approve =
+      add("approve", "Adds the proposal to the ledger",
+          " --who 'A. Name' --reason 'The first figures.'",
+          [approval](const CampaignOptions& options, const Installation& installation) {
+            return approve_baseline(options, *approval, installation);
+          });
   // Takes out what no terminal should get, as of all texts of others.
   const CLI::Validator printed(
       [](std::string& text) {

@@ -105,10 +105,7 @@ void add_case_command(const CommandTree& tree) {
                   [options, &installation = tree.installation] {
                     return leave_case_for_code(*options, installation);
                   });
-  command
-      .add_option("case", options->case_name, "A case of `slosh list`, or the path of a case file")
-      ->type_name(case_type)
-      ->required();
+  add_case_argument(command, options->case_name)->required();
   command.add_option("--for", options->code, "The code")
       ->type_name("CODE")
       ->check(one_of("a code", peer_code_names()))

@@ -191,10 +191,7 @@ void add_check_command(const CommandTree& tree) {
        "Says what is wrong with a case file (exit status 2), and what is doubtful about it",
        {"./slosh check li2010_small_amplitude"}},
       [options, &installation = tree.installation] { return check(*options, installation); });
-  command
-      .add_option("case", options->case_name, "A case of `slosh list`, or the path of a case file")
-      ->type_name(case_type)
-      ->required();
+  add_case_argument(command, options->case_name)->required();
   add_experiments_option(command, options->experiments);
 }
 
@@ -230,10 +227,7 @@ void add_explain_command(const CommandTree& tree) {
        {"./slosh explain li2010_small_amplitude", "./slosh explain --keys",
         "./slosh explain --schema case"}},
       [options, &installation = tree.installation] { return explain(*options, installation); });
-  CLI::Option* name =
-      command
-          .add_option("case", options->name, "A case of `slosh list`, or the path of a case file")
-          ->type_name(case_type);
+  CLI::Option* name = add_case_argument(command, options->name);
   CLI::Option* keys =
       command.add_flag("--keys", options->keys,
                        "Instead of a case: all keys of case and campaign files, as Markdown");
