@@ -7,7 +7,7 @@
 #include "verification/cli/stored_run.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/gate/gate.hpp"
-#include "verification/texts/series_csv.hpp"
+#include "verification/texts/result_text.hpp"
 
 namespace slosh {
 namespace {

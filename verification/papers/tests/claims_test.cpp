@@ -11,6 +11,7 @@
 #include <random>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "verification/case_file/case_parser.hpp"
 #include "verification/papers/measured_values.hpp"
@@ -31,25 +32,22 @@ Threshold at_least_between(double refuted, double confirmed) {
 Threshold at_most(double upper) { return {Relation::at_most, 0, upper}; }
 Threshold within_factor(double factor) { return {Relation::within_factor, 1 / factor, factor}; }
 
-TEST(Claims, AreConfirmedByAllFindingsTogether) {
-  const DecidedClaim claim = decided({}, {{Held::yes, "a"}, {Held::yes, "b"}});
-  EXPECT_EQ(claim.held, Held::yes);
-  EXPECT_EQ(claim.found, "a; b");
-  EXPECT_EQ(claim.why, "");
-}
-
-TEST(Claims, AreRefutedByOneFindingWhateverElseIsMissing) {
-  const DecidedClaim claim = decided({}, {{Held::yes, "a"}, missing("b"), {Held::no, "c"}});
-  EXPECT_EQ(claim.held, Held::no);
-  EXPECT_EQ(claim.why, "c");
-}
-
-TEST(Claims, AreNotDecidableWhereAFindingIsMissingOrThereIsNone) {
-  const DecidedClaim claim = decided({}, {{Held::yes, "a"}, missing("no run")});
-  EXPECT_EQ(claim.held, Held::undecided);
-  EXPECT_EQ(claim.why, "no run");
-  EXPECT_EQ(claim.found, "a");
-  EXPECT_EQ(decided({}, {}).held, Held::undecided);
+TEST(Claims, AreRefutedByOneFindingAndElseConfirmedWhereNoneIsMissing) {
+  struct Decided {
+    std::vector<Finding> findings;
+    Held held;
+    const char *found, *why;
+  };
+  const Decided all[]{{{{Held::yes, "a"}, {Held::yes, "b"}}, Held::yes, "a; b", ""},
+                      {{{Held::yes, "a"}, missing("b"), {Held::no, "c"}}, Held::no, "a; c", "c"},
+                      {{{Held::yes, "a"}, missing("no run")}, Held::undecided, "a", "no run"},
+                      {{}, Held::undecided, "", ""}};
+  for (const Decided& one : all) {
+    const DecidedClaim claim = decided({}, one.findings);
+    EXPECT_EQ(claim.held, one.held) << one.found;
+    EXPECT_EQ(claim.found, one.found);
+    EXPECT_EQ(claim.why, one.why);
+  }
   Claim unseen;
   unseen.not_decidable = "no photograph";
   EXPECT_EQ(decided(unseen, {}).held, Held::undecided);
@@ -79,17 +77,6 @@ TEST(Claims, StandInATableWithTheirVerdictsInWords) {
   EXPECT_EQ(table.links.at(2), no_links);
 }
 
-TEST(Judged, CountsTheIntervalOnEitherSide) {
-  const auto held = [](double value, double half_width) {
-    return judged({"error", 100, "%"}, {value, half_width}, within_range(-0.02, 0.02)).held;
-  };
-  EXPECT_EQ(held(0.015, 0.005), Held::yes);
-  EXPECT_EQ(held(0.015, 0.006), Held::undecided);
-  EXPECT_EQ(held(0.03, 0.009), Held::no);
-  EXPECT_EQ(held(-0.03, 0.009), Held::no);
-  EXPECT_EQ(held(0.03, 0.011), Held::undecided);
-}
-
 TEST(Judged, NeverConfirmsNorRefutesByNaN) {
   for (const Estimate& estimate : {Estimate{nan, 0}, Estimate{0, nan}, Estimate{1, nan}}) {
     const Finding found = judged({"error", 100, "%"}, estimate, within_range(-0.02, 0.02));
@@ -109,33 +96,36 @@ TEST(Judged, SaysNumberIntervalAndThreshold) {
             "ratio 3 (1 within a factor of 2)");
 }
 
-TEST(AtLeast, IsUndecidedBetweenItsTwoLevels) {
-  EXPECT_EQ(compare(1.1, at_least_between(1, 1.1)), Held::yes);
-  EXPECT_EQ(compare(1.05, at_least_between(1, 1.1)), Held::undecided);
-  EXPECT_EQ(compare(1, at_least_between(1, 1.1)), Held::no);
-}
-
-TEST(Compare, KnowsTheOtherRelations) {
-  EXPECT_EQ(compare(1, at_most(1)), Held::yes);
-  EXPECT_EQ(compare(1.1, at_most(1)), Held::no);
-  EXPECT_EQ(compare(0.5, within_factor(2)), Held::yes);
-  EXPECT_EQ(compare(2, within_factor(2)), Held::yes);
-  EXPECT_EQ(compare(0.4, within_factor(2)), Held::no);
-  EXPECT_EQ(compare(-0.02, within_range(-0.02, 0.02)), Held::yes);
-  EXPECT_EQ(compare(0.03, within_range(-0.02, 0.02)), Held::no);
-}
-
-TEST(Compare, LeaveOpenWhatAnIntervalReachesOver) {
-  EXPECT_EQ(compare(Estimate{1.3, 0.1}, at_least_between(1, 1.1)), Held::yes);
-  EXPECT_EQ(compare(Estimate{1.3, 0.3}, at_least_between(1, 1.1)), Held::undecided);
-  EXPECT_EQ(compare(Estimate{0.8, 0.1}, at_least_between(1, 1.1)), Held::no);
-  EXPECT_EQ(compare(Estimate{0.8, 0.1}, at_most(1)), Held::yes);
-  EXPECT_EQ(compare(Estimate{0.95, 0.1}, at_most(1)), Held::undecided);
-  EXPECT_EQ(compare(Estimate{1.2, 0.1}, at_most(1)), Held::no);
-  EXPECT_EQ(compare(Estimate{0.6, 0.2}, within_factor(2)), Held::undecided);
-  EXPECT_EQ(compare(Estimate{3, 0.9}, within_factor(2)), Held::no);
-  EXPECT_EQ(compare(Estimate{0.5, 1}, within_range(-0.2, 0.2)), Held::undecided);
-  EXPECT_EQ(compare(Estimate{1, nan}, at_most(2)), Held::undecided);
+TEST(Compare, IsUndecidedWhereTheIntervalReachesOverAnEndOrBetweenTheLevels) {
+  const Threshold range = within_range(-0.02, 0.02), least = at_least_between(1, 1.1),
+                  most = at_most(1), factor = within_factor(2);
+  const std::tuple<Estimate, Threshold, Held> all[]{{{0.015, 0.005}, range, Held::yes},
+                                                    {{0.015, 0.006}, range, Held::undecided},
+                                                    {{0.03, 0.009}, range, Held::no},
+                                                    {{-0.03, 0.009}, range, Held::no},
+                                                    {{0.03, 0.011}, range, Held::undecided},
+                                                    {{-0.02, 0}, range, Held::yes},
+                                                    {{0.5, 1}, range, Held::undecided},
+                                                    {{1.1, 0}, least, Held::yes},
+                                                    {{1.05, 0}, least, Held::undecided},
+                                                    {{1, 0}, least, Held::no},
+                                                    {{1.3, 0.1}, least, Held::yes},
+                                                    {{1.3, 0.3}, least, Held::undecided},
+                                                    {{0.8, 0.1}, least, Held::no},
+                                                    {{1, 0}, most, Held::yes},
+                                                    {{1.1, 0}, most, Held::no},
+                                                    {{0.8, 0.1}, most, Held::yes},
+                                                    {{0.95, 0.1}, most, Held::undecided},
+                                                    {{1.2, 0.1}, most, Held::no},
+                                                    {{1, nan}, at_most(2), Held::undecided},
+                                                    {{0.5, 0}, factor, Held::yes},
+                                                    {{2, 0}, factor, Held::yes},
+                                                    {{0.4, 0}, factor, Held::no},
+                                                    {{0.6, 0.2}, factor, Held::undecided},
+                                                    {{3, 0.9}, factor, Held::no}};
+  for (const auto& [estimate, threshold, held] : all)
+    EXPECT_EQ(compare(estimate, threshold), held)
+        << estimate.value << " ± " << estimate.half_width << " of " << threshold.upper;
 }
 
 // What is neither decided by a run nor said to be undecidable would be lost.

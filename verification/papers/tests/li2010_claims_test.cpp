@@ -11,6 +11,7 @@
 #include "reports/pages/check_report.hpp"
 #include "verification/papers/measured_values.hpp"
 #include "verification/papers/paper_sections.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh::li2010_claims_test {
@@ -211,8 +212,7 @@ TEST(ClaimsOfLi2010, AreNotDecidableWithoutAnyCase) {
   for (const DecidedClaim& one : claims_on(no_cases)) {
     EXPECT_EQ(one.held, Held::undecided) << one.claim.number;
     if (rests_on_runs(one)) {
-      EXPECT_NE(one.why.find("is not part of this campaign"), std::string::npos)
-          << one.claim.number;
+      EXPECT_TRUE(holds(one.why, "is not part of this campaign")) << one.claim.number;
     }
   }
 }
@@ -238,7 +238,7 @@ TEST(ClaimsOfLi2010, AreNotDecidableWithoutTheirRunItsNumbersOrItsWindow) {
     for (const DecidedClaim& one : claims_on(*cases))
       EXPECT_EQ(one.held, Held::undecided) << one.claim.number << ": " << one.found;
   }
-  EXPECT_EQ(claim("C8.1", gone).why.find("li2010_20mm of li2010_large_b"), 0u);
+  EXPECT_TRUE(begins(claim("C8.1", gone).why, "li2010_20mm of li2010_large_b"));
 }
 
 Held small_held(const std::string& number, const SmallRun& small_run) {
@@ -354,8 +354,7 @@ TEST(ClaimsOnTheFlow, AreJudgedOnTheMeanOfAnEnsembleWithItsInterval) {
   const LargeRun flat{.first = 0.02, .second = 0.02, .momentum = 30, .swing = 20, .pressure = 200};
   for (const char* number : {"C5.1", "C6.4", "C7.3", "C7.4", "C8.1"}) {
     EXPECT_EQ(claim(number, with_repeats({near, other})).held, Held::yes) << number;
-    EXPECT_NE(claim(number, with_repeats({near, other})).found.find("(mean of 3 repeats)"),
-              std::string::npos);
+    EXPECT_TRUE(holds(claim(number, with_repeats({near, other})).found, "(mean of 3 repeats)"));
     EXPECT_EQ(claim(number, with_repeats({near, flat})).held, Held::undecided)
         << number << ": the first member alone would confirm it";
     EXPECT_EQ(claim(number, with_repeats(std::vector<LargeRun>(100, flat))).held, Held::no)
@@ -363,7 +362,7 @@ TEST(ClaimsOnTheFlow, AreJudgedOnTheMeanOfAnEnsembleWithItsInterval) {
   }
   const DecidedClaim without = claim("C7.1", with_repeats({near, one_peak}));
   EXPECT_EQ(without.held, Held::undecided);
-  EXPECT_NE(without.found.find("none in 1 of 3"), std::string::npos) << without.found;
+  EXPECT_TRUE(holds(without.found, "none in 1 of 3"));
 }
 
 TEST(ClaimsOnTheFlow, AreNotDecidableWithoutAMemberOfAnEnsemble) {
@@ -371,9 +370,8 @@ TEST(ClaimsOnTheFlow, AreNotDecidableWithoutAMemberOfAnEnsemble) {
   of(cases, b125).runs.results.erase("li2010_20mm_3");
   of(cases, b125).runs.status["li2010_20mm_3"] = {RunState::failed, "diverged"};
   for (const char* number : {"C4.1", "C6.4", "C7.3", "C8.1"})
-    EXPECT_NE(claim(number, cases)
-                  .why.find("li2010_20mm_3 of li2010_large_b125: solver failed (diverged)"),
-              std::string::npos)
+    EXPECT_TRUE(holds(claim(number, cases).why,
+                      "li2010_20mm_3 of li2010_large_b125: solver failed (diverged)"))
         << number;
 }
 
@@ -409,7 +407,7 @@ TEST(SurfaceSpectrumTable, SetsEveryRunBesideThePrintedNumbers) {
   EXPECT_EQ(table.rows[3].at(0), "li2010_20mm");
   EXPECT_EQ(table.rows[3].at(1), "0.125");
   EXPECT_EQ(table.rows[3].at(7), "5.05");
-  EXPECT_NE(table.rows[5].at(2).find("solver failed"), std::string::npos);
+  EXPECT_TRUE(holds(table.rows[5].at(2), "solver failed"));
   for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.header.size());
   ASSERT_EQ(table.links.size(), 8u);
   for (const auto& links : table.links) EXPECT_EQ(links.at(0), "figure-seven");
@@ -490,9 +488,8 @@ TEST(PrintedNumbersOfLi2010, AreNotResolvedWhereTheRunHasNoSuchMode) {
   };
   const auto clear = rows(small_case({})), spoiled = rows(assess(noisy.definition, noisy.runs));
   for (const std::size_t row : {2u, 3u, 4u}) {
-    EXPECT_NE(spoiled.at(row).at(2).find("li2010_20mm: not resolved"), std::string::npos)
-        << spoiled[row][2];
-    EXPECT_EQ(clear.at(row).at(2).find("not resolved"), std::string::npos) << clear[row][2];
+    EXPECT_TRUE(holds(spoiled.at(row).at(2), "li2010_20mm: not resolved"));
+    EXPECT_FALSE(holds(clear.at(row).at(2), "not resolved"));
   }
 }
 
