@@ -15,8 +15,9 @@
 
 #include "verification/case_file/case_parser.hpp"
 #include "verification/papers/measured_values.hpp"
-#include "verification/papers/paper_sections.hpp"
+#include "verification/papers/tests/paper_claims.hpp"
 #include "verification/tests/impact_runs.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::claims_test {
 namespace {
@@ -126,6 +127,29 @@ TEST(Compare, IsUndecidedWhereTheIntervalReachesOverAnEndOrBetweenTheLevels) {
   for (const auto& [estimate, threshold, held] : all)
     EXPECT_EQ(compare(estimate, threshold), held)
         << estimate.value << " ± " << estimate.half_width << " of " << threshold.upper;
+}
+
+TEST(PaperClaims, StandUnderThePapersNumbersAndAreNotDecidableWithoutAnyCase) {
+  const std::pair<const char*, std::vector<std::string>> papers[]{
+      {"li2010",
+       {"C1.1", "C1.2", "C1.3",         "C2.1",         "C2.2",         "C2.3",        "C3.1",
+        "C3.2", "C3.3", "C23.1",        "C23.2",        "C4.1",         "C5.1",        "C5.2",
+        "C6.1", "C6.2", "C6.3",         "C6.4",         "C7.1",         "C7.2",        "C7.3",
+        "C7.4", "C8.1", "conclusion 1", "conclusion 2", "conclusion 3", "conclusion 4"}},
+      {"zhao2021",
+       {"Z3.1", "Z3.2", "Z4.1", "Z4.2", "Z5.1", "Z5.2", "Z8.1", "Z8.2", "Z8.3", "Z9.1", "Z9.2",
+        "Z10.1", "Z11.1", "Z11.2", "Z11.3", "conclusion"}}};
+  for (const auto& [paper, expected] : papers) {
+    std::vector<std::string> numbers;
+    for (const DecidedClaim& one : decided_claims(paper_named(paper), {})) {
+      numbers.push_back(one.claim.number);
+      EXPECT_EQ(one.held, Held::undecided) << one.claim.number;
+      if (one.claim.not_decidable.empty()) {
+        EXPECT_TRUE(holds(one.why, "is not part of this campaign")) << one.claim.number;
+      }
+    }
+    EXPECT_EQ(numbers, expected);
+  }
 }
 
 // What is neither decided by a run nor said to be undecidable would be lost.
