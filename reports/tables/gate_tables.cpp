@@ -119,15 +119,12 @@ std::vector<Table> gate_tables(const CaseAssessment& assessment) {
   passing.is_folded = true;
   std::vector<std::size_t> worst_first(assessment.gate.size());
   std::iota(worst_first.begin(), worst_first.end(), 0);
-  std::ranges::stable_sort(worst_first, std::greater(), [&](std::size_t i) {
-    return severity(assessment.gate[i].verdict);
-  });
+  std::ranges::stable_sort(worst_first, std::greater(),
+                           [&](std::size_t i) { return severity(assessment.gate[i].verdict); });
   std::string last;
   for (const std::size_t i : worst_first) {
     const GateOutcome& outcome = assessment.gate[i];
-    const bool is_plain =
-        outcome.verdict == Verdict::pass && outcome.remarks.find("doubtful") == std::string::npos;
-    Table& table = is_plain ? passing : open;
+    Table& table = outcome.verdict == Verdict::pass && !outcome.is_doubtful ? passing : open;
     if (table.rows.empty()) last = "";
     table.row_ids.push_back(case_row_id(name, i));
     table.rows.push_back({verdict_name(outcome.verdict), outcome.row.candidate,

@@ -274,7 +274,7 @@ TEST(CampaignReport, TellsReasonsOnceAndShowsRowsThatFailOrAreInDoubtFirstAndFol
   };
   const std::string reason = "Peers reach 1 %. Source: Li et al. 2010.";
   EXPECT_EQ(tables().at(0).reasons, (std::vector<std::string>{reason, "", ""}));
-  assessment.gate[1].remarks = "; doubtful: it is not sound";
+  assessment.gate[1].is_doubtful = true;
   assessment.gate[2].verdict = Verdict::violated;
   EXPECT_FALSE(tables().at(0).is_folded);
   EXPECT_EQ(tables()[0].row_ids, (std::vector<std::string>{"small_surge-3", "small_surge-2"}));
