@@ -1,13 +1,44 @@
-// The canvas of a figure: its size, and the places of its legend and of its markers' labels.
+// The canvas of a figure: its axes and their ticks, its size, the places of its legend and of its
+// markers' labels, and the samples of a long curve that are drawn.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "reports/drawing/axes.hpp"
 #include "reports/model/report_model.hpp"
 
 namespace slosh::reports {
+
+struct AxisRange {
+  double lower, upper;  // lower < upper, both finite; both positive on a logarithmic axis
+};
+
+// The nearest 1, 2 or 5 times a power of ten at or beyond the value, which is above zero.
+double round_tick(double value, bool up);
+
+struct PlotRanges {
+  AxisRange horizontal, vertical;
+};
+
+// Returns the given ranges, or those of what is drawn. Where the figure's axes are equal, the
+// narrower range is widened about its middle.
+PlotRanges plot_ranges(const Figure& figure);
+
+// Returns gnuplot's tick list for a logarithmic axis. The ticks are at 1, 2 and 5 times the powers
+// of ten over up to three decades, and at powers of ten over more.
+std::string logarithmic_ticks(const AxisRange& range);
+
+// Whether gnuplot can place the sample: it is finite (a diverged 1e300 does not count as finite),
+// and positive on logarithmic axes.
+bool drawable(const Figure& figure, double x, double y);
+
+// Returns the indices of the samples to draw, in order, at most `limit` (>= 5) of them;
+// std::nullopt is a gap. A longer curve is cut into equal runs of samples. The lowest sample, the
+// highest and one gap of each run are kept, and the curve's two ends.
+std::vector<std::optional<std::size_t>> drawn_samples(const Figure& figure, const Curve& curve,
+                                                      std::size_t limit);
 
 // Texts as gnuplot draws them: how wide they are, and where they break into lines.
 

@@ -27,27 +27,22 @@ using reports::Look;
 constexpr Look of_tank{true, 0, 0}, of_moved{true, 1, 0}, of_sensor{false, 1, 0},
     of_probe{false, 2, 1}, of_axis{false, 3, 2};
 
-void add_closed(const std::string& label, const Outline& corners, Curve::Style style, Look look,
-                Figure& figure) {
-  Curve curve{label, {}, {}, {}, style};
-  for (std::size_t i = 0; i <= corners.size(); ++i) {
-    curve.x.push_back(corners[i % corners.size()].x);
-    curve.y.push_back(corners[i % corners.size()].z);
-  }
-  curve.look = look;
-  figure.curves.push_back(std::move(curve));
-}
-
-void add_places(const std::string& label, const std::vector<Corner>& places, Look look,
-                Figure& figure) {
+// Those of a closed line begin and end with the same place.
+void add_places(const std::string& label, const std::vector<Corner>& places, Curve::Style style,
+                Look look, Figure& figure) {
   if (places.empty()) return;
-  Curve curve{label, {}, {}, {}, Curve::Style::points};
+  Curve curve{.label = label, .style = style, .look = look};
   for (const Corner& place : places) {
     curve.x.push_back(place.x);
     curve.y.push_back(place.z);
   }
-  curve.look = look;
   figure.curves.push_back(std::move(curve));
+}
+
+void add_closed(const std::string& label, Outline corners, Curve::Style style, Look look,
+                Figure& figure) {
+  corners.push_back(corners.front());
+  add_places(label, corners, style, look, figure);
 }
 
 // The liquid at the start, between the bottom and its surface.
@@ -55,7 +50,7 @@ Curve liquid(const CaseDefinition& definition, const Outline& outline) {
   constexpr int places = 200;
   const double depth = definition.liquid.fill_depth, length = definition.tank.length,
                right = definition.liquid.column_width.value_or(length);
-  Curve curve{fmt::format("liquid at the start, {:g} m deep", depth), {}, {}, {}};
+  Curve curve{.label = fmt::format("liquid at the start, {:g} m deep", depth), .ribbon = "liquid"};
   for (int i = 0; i <= places; ++i) {
     const double x = right * i / places;
     double bottom = definition.tank.height, top = 0, level = depth;
@@ -74,7 +69,6 @@ Curve liquid(const CaseDefinition& definition, const Outline& outline) {
     curve.y.push_back(bottom < level ? std::min(level, top) : not_a_number);
     curve.upper.push_back(std::max(curve.lower.back(), std::min(level, top)));
   }
-  curve.ribbon = "liquid";
   return curve;
 }
 
@@ -115,28 +109,27 @@ void set_ranges(Figure& figure) {
   figure.y_range = {bottom - margin, top + margin};
 }
 
-// A history of the motion, with its largest magnitude.
-Figure of_motion(const CaseDefinition& definition, const std::string& id, const std::string& title,
-                 const std::string& unit, const std::function<double(double)>& motion,
-                 double scale) {
-  Figure figure;
-  figure.id = case_id(definition.name) + "-" + id;
-  figure.title = title;
-  figure.x_label = "time [s]";
-  figure.y_label = fmt::format("{} [{}]", id, unit);
-  std::replace(figure.y_label.begin(), figure.y_label.end(), '-', ' ');
-  figure.x_range = {0, definition.duration};
-  Curve curve{figure.y_label.substr(0, figure.y_label.find(" [")), {}, {}, {}};
-  curve.x = motion_times(definition, definition.sample_interval);
+// A history of the motion, with its largest magnitude. Its id is the word with a - for each blank.
+Figure of_motion(const CaseDefinition& definition, const std::string& word,
+                 const std::string& title, const std::string& unit,
+                 const std::function<double(double)>& motion, double scale = 1) {
+  Curve curve{.label = word, .x = motion_times(definition, definition.sample_interval)};
   for (const double time : curve.x) curve.y.push_back(scale * motion(time));
-  figure.curves = {std::move(curve)};
   const MotionPeak peak = peak_of(definition, motion);
-  figure.curves.push_back(
-      {fmt::format("peak, {:.3g} {} at {:.3g} s", scale * peak.value, unit, peak.time),
-       {peak.time},
-       {scale * peak.value},
-       {},
-       Curve::Style::points});
+  Curve largest{
+      .label = fmt::format("peak, {:.3g} {} at {:.3g} s", scale * peak.value, unit, peak.time),
+      .x = {peak.time},
+      .y = {scale * peak.value},
+      .style = Curve::Style::points};
+  Figure figure{.id = word,
+                .title = title,
+                .caption = "As prescribed to every run.",
+                .x_label = "time [s]",
+                .y_label = fmt::format("{} [{}]", word, unit),
+                .x_range = {0, definition.duration},
+                .curves = {std::move(curve), std::move(largest)}};
+  std::ranges::replace(figure.id, ' ', '-');
+  figure.id = case_id(definition.name) + "-" + figure.id;
   return figure;
 }
 
@@ -144,18 +137,19 @@ Figure of_motion(const CaseDefinition& definition, const std::string& id, const 
 
 Figure tank_figure(const CaseDefinition& definition) {
   const Outline outline = corners_of(definition.tank);
-  Figure figure;
-  figure.id = case_id(definition.name) + "-tank";
-  figure.title = "The tank and its gauges";
-  figure.caption =
-      "To scale; x counts from the left wall and z from the bottom. A surge is positive to the "
-      "right, a roll counter-clockwise. Dotted lines are gauges of the surface. The tank " +
-      std::string(definition.motion.still() ? "is " : "moves by ") + motion_text(definition) +
-      motion_peaks(definition) + ".";
-  figure.x_label = "x [m]";
-  figure.y_label = "z [m]";
-  figure.to_scale = true;
-  figure.curves.push_back(liquid(definition, outline));
+  Figure figure{
+      .id = case_id(definition.name) + "-tank",
+      .title = "The tank and its gauges",
+      .caption =
+          "To scale; x counts from the left wall and z from the bottom. A surge is positive "
+          "to the right, a roll counter-clockwise. Dotted lines are gauges of the surface. "
+          "The tank " +
+          std::string(definition.motion.still() ? "is " : "moves by ") + motion_text(definition) +
+          motion_peaks(definition) + ".",
+      .x_label = "x [m]",
+      .y_label = "z [m]",
+      .curves = {liquid(definition, outline)},
+      .to_scale = true};
   add_closed("tank", outline, Curve::Style::line, of_tank, figure);
   for (const ObstacleDefinition& one : definition.obstacles)
     add_closed("obstacle " + one.name,
@@ -175,11 +169,13 @@ Figure tank_figure(const CaseDefinition& definition) {
     probes.push_back({probe.x, probe.z});
     probe_names.push_back(probe.name);
   }
-  add_places(fmt::format("pressure sensors {}", fmt::join(sensor_names, ", ")), sensors, of_sensor,
-             figure);
-  add_places(fmt::format("probes {}", fmt::join(probe_names, ", ")), probes, of_probe, figure);
+  add_places(fmt::format("pressure sensors {}", fmt::join(sensor_names, ", ")), sensors,
+             Curve::Style::points, of_sensor, figure);
+  add_places(fmt::format("probes {}", fmt::join(probe_names, ", ")), probes, Curve::Style::points,
+             of_probe, figure);
   if (const auto& roll = definition.motion.roll) {
-    add_places("axis of the roll", {{roll->axis_x, roll->axis_z}}, of_axis, figure);
+    add_places("axis of the roll", {{roll->axis_x, roll->axis_z}}, Curve::Style::points, of_axis,
+               figure);
     figure.curves.back().sets_scale = std::hypot(roll->axis_x, roll->axis_z) <
                                       2 * (definition.tank.length + definition.tank.height);
   }
@@ -191,24 +187,21 @@ Figure tank_figure(const CaseDefinition& definition) {
 
 std::vector<Figure> motion_figures(const CaseDefinition& definition) {
   std::vector<Figure> figures;
+  const auto add = [&](auto&&... parts) { figures.push_back(of_motion(definition, parts...)); };
   const SurgeMotion surge = surge_motion(definition);
   const bool is_small = definition.tank.length < 5;  // [m]
-  if (definition.motion.surge)
-    figures = {of_motion(definition, "surge", "Surge of the tank", is_small ? "mm" : "m",
-                         surge.displacement, is_small ? 1000 : 1),
-               of_motion(definition, "surge-speed", "Speed of the surge", "m/s", surge.velocity, 1),
-               of_motion(definition, "surge-acceleration", "Acceleration of the surge", "m/s2",
-                         surge.acceleration, 1)};
+  if (definition.motion.surge) {
+    add("surge", "Surge of the tank", is_small ? "mm" : "m", surge.displacement,
+        is_small ? 1000 : 1);
+    add("surge speed", "Speed of the surge", "m/s", surge.velocity);
+    add("surge acceleration", "Acceleration of the surge", "m/s2", surge.acceleration);
+  }
   if (const auto roll = roll_motion(definition)) {
     constexpr double degrees = 1 / radians_per_degree;
-    figures.push_back(
-        of_motion(definition, "roll", "Roll of the tank", "deg", roll->angle, degrees));
-    figures.push_back(
-        of_motion(definition, "roll-speed", "Speed of the roll", "deg/s", roll->rate, degrees));
-    figures.push_back(of_motion(definition, "roll-acceleration", "Acceleration of the roll",
-                                "deg/s2", roll->acceleration, degrees));
+    add("roll", "Roll of the tank", "deg", roll->angle, degrees);
+    add("roll speed", "Speed of the roll", "deg/s", roll->rate, degrees);
+    add("roll acceleration", "Acceleration of the roll", "deg/s2", roll->acceleration, degrees);
   }
-  for (Figure& figure : figures) figure.caption = "As prescribed to every run.";
   return figures;
 }
 

@@ -1,6 +1,5 @@
-// The error of each method against its run time and its memory, with the Pareto front.
-//
-// Error against spacing with the fitted order and its band, and guides of first and second order.
+// The error of each method against its run time and its memory, with the Pareto front, and against
+// spacing, with the fitted order and its band and guides of first and second order.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +8,7 @@
 #include <cmath>
 
 #include "reports/figures/case_figures.hpp"
-#include "reports/figures/run_looks.hpp"
+#include "reports/figures/figure_runs.hpp"
 #include "reports/wording/report_places.hpp"
 #include "verification/assessment/across_runs/speed_ups.hpp"
 #include "verification/assessment/observed_order.hpp"
@@ -26,28 +25,19 @@ constexpr double mm_per_m = 1000;
 // The band is clipped at this factor beyond the errors: with three points it would fill the figure.
 constexpr double band_reach = 3;
 
-struct Extent {
-  double low, high;
-};
-
-Extent extent_of(const std::vector<double>& values) {
-  Extent extent{INFINITY, 0};
+// The smallest and the largest of the values above zero.
+std::pair<double, double> extent_of(const std::vector<double>& values) {
+  double low = INFINITY, high = 0;
   for (const double value : values)
-    if (value > 0) extent = {std::min(extent.low, value), std::max(extent.high, value)};
-  return extent;
-}
-
-// Returns spacings at equal distances on a logarithmic axis.
-std::vector<double> spacings_between(const Extent& extent) {
-  constexpr int count = 41;
-  std::vector<double> spacings;
-  for (int i = 0; i < count; ++i)
-    spacings.push_back(extent.low * std::pow(extent.high / extent.low, i / (count - 1.0)));
-  return spacings;
+    if (value > 0) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  return {low, high};
 }
 
 Curve error_points(const ErrorFamily& family) {
-  Curve points{"error, with its 95 % interval", {}, {}, {}, Curve::Style::points};
+  Curve points{.label = "error, with its 95 % interval", .style = Curve::Style::points};
   for (const auto& [spacing, error] : family.errors) {
     points.x.push_back(mm_per_m * spacing);
     points.y.push_back(family.scale * std::abs(error.value));
@@ -57,14 +47,16 @@ Curve error_points(const ErrorFamily& family) {
 }
 
 Curve fitted_line(const PowerLawLine& line, const Curve& points, double scale) {
-  Curve curve{"least squares: order " + slope_text(line.order),
-              spacings_between(extent_of(points.x)),
-              {},
-              {},
-              Curve::Style::line};
-  const Extent errors = extent_of(points.y);
-  const auto cut = [&](double value) {
-    return std::clamp(value, errors.low / band_reach, errors.high * band_reach);
+  Curve curve{.label = "least squares: order " + slope_text(line.order),
+              .ribbon = "95 % band of the line",
+              .look = reports::Look{true, 0, 0}};
+  constexpr int count = 41;  // of spacings at equal distances on a logarithmic axis
+  const auto [finest, coarsest] = extent_of(points.x);
+  const auto [least, most] = extent_of(points.y);
+  for (int i = 0; i < count; ++i)
+    curve.x.push_back(finest * std::pow(coarsest / finest, i / (count - 1.0)));
+  const auto cut = [low = least / band_reach, high = most * band_reach](double value) {
+    return std::clamp(value, low, high);
   };
   for (const double spacing : curve.x) {
     const auto [value, lower, upper] = line.at(spacing / mm_per_m);
@@ -72,26 +64,23 @@ Curve fitted_line(const PowerLawLine& line, const Curve& points, double scale) {
     curve.lower.push_back(cut(scale * lower));
     curve.upper.push_back(cut(scale * upper));
   }
-  curve.ribbon = "95 % band of the line";
   return curve;
 }
 
 // A line of the given order through the fitted line's value at the coarsest spacing.
 Curve guide(int order, const Curve& line) {
-  Curve curve{fmt::format("order {}", order),
-              {line.x.front(), line.x.back()},
-              {line.y.back() * std::pow(line.x.front() / line.x.back(), order), line.y.back()},
-              {},
-              Curve::Style::dashed};
-  curve.look = guide_look(static_cast<std::size_t>(order - 1));
-  return curve;
+  return {.label = fmt::format("order {}", order),
+          .x = {line.x.front(), line.x.back()},
+          .y = {line.y.back() * std::pow(line.x.front() / line.x.back(), order), line.y.back()},
+          .style = Curve::Style::dashed,
+          .look = guide_look(static_cast<std::size_t>(order - 1))};
 }
 
 // Returns "normalised_rms" for "normalised rms [%]", as a part of an id.
 std::string id_part(std::string measure) {
   measure.resize(std::min(measure.size(), measure.find(" [")));
-  std::replace_if(
-      measure.begin(), measure.end(), [](char c) { return c < 'a' || c > 'z'; }, '_');
+  std::ranges::replace_if(
+      measure, [](char c) { return c < 'a' || c > 'z'; }, '_');
   return measure;
 }
 
@@ -139,10 +128,6 @@ std::vector<WorkFamily> shown_families(const CaseAssessment& assessment) {
   return shown;
 }
 
-std::string slope_label(const std::optional<Estimate>& slope) {
-  return slope ? ", slope " + slope_text(*slope) : "";
-}
-
 // The reference of all of these families; empty where they have several.
 std::string common_reference(const std::vector<WorkFamily>& families) {
   const bool is_common = std::all_of(families.begin(), families.end(), [&](const WorkFamily& one) {
@@ -157,13 +142,10 @@ Curve curve_of(const CaseDefinition& definition, const WorkFamily& family, const
   const std::vector<WorkPoint> points = axis.points(family);
   const bool is_one_method = !family.name.ends_with(many_changes);
   const auto slope = is_one_method ? work_slope(points) : std::nullopt;
-  Curve curve{
-      family.name + (names_reference ? " against " + family.reference : "") + slope_label(slope),
-      {},
-      {},
-      {},
-      slope ? Curve::Style::line_points : Curve::Style::points};
-  curve.look = look_of(definition, family.runs.back().run);
+  Curve curve{.label = family.name + (names_reference ? " against " + family.reference : "") +
+                       (slope ? ", slope " + slope_text(*slope) : ""),
+              .style = slope ? Curve::Style::line_points : Curve::Style::points,
+              .look = look_of(definition, family.runs.back().run)};
   for (const WorkPoint& point : points) {
     curve.x.push_back(axis.scale * point.cost.value);
     curve.x_error.push_back(axis.scale * point.cost.half_width);
@@ -177,7 +159,7 @@ Curve curve_of(const CaseDefinition& definition, const WorkFamily& family, const
 
 // Returns a stepped line from above the cheapest run to the right of the most accurate one.
 Curve front_curve(const std::vector<WorkPoint>& points, const CostAxis& axis) {
-  Curve curve{"Pareto front", {}, {}, {}, Curve::Style::dashed};
+  Curve curve{.label = "Pareto front", .style = Curve::Style::dashed, .look = guide_look(0)};
   double worst = 0, dearest = 0;
   for (const WorkPoint& point : points) {
     if (std::isfinite(point.error.value)) worst = std::max(worst, point.error.value);
@@ -191,49 +173,47 @@ Curve front_curve(const std::vector<WorkPoint>& points, const CostAxis& axis) {
     }
     level = point.error.value;
   }
-  curve.look = guide_look(0);
   curve.x.push_back(axis.scale * dearest);
   curve.y.push_back(level);
   return curve;
 }
 
-// Names the stored results: their costs stand in the figure, but were measured on other machines.
-std::string of_other_machines(const std::vector<WorkFamily>& families) {
-  std::vector<std::string> names;
-  for (const WorkFamily& family : families)
-    for (const WorkRun& run : family.runs)
-      if (run.cost.elsewhere) names.push_back(run.run);
-  if (names.empty()) return "";
-  return fmt::format(" Stored results, with costs of other machines: {}.", fmt::join(names, ", "));
-}
-
-std::string not_timed_alone(const std::vector<WorkFamily>& families) {
-  std::size_t timed = 0, all = 0;
-  std::vector<std::string> names;
+// Tells which costs were not measured alone on a core of this machine.
+std::string remarks_on_costs(const std::vector<WorkFamily>& families) {
+  std::size_t timed = 0;
+  std::vector<std::string> untimed, elsewhere;
   for (const WorkFamily& family : families)
     for (const WorkRun& run : family.runs) {
-      if (run.cost.elsewhere) continue;
-      ++all;
-      timed += run.cost.timings > 0;
-      if (run.cost.timings == 0) names.push_back(run.run);
+      if (run.cost.elsewhere)
+        elsewhere.push_back(run.run);
+      else if (run.cost.timings == 0)
+        untimed.push_back(run.run);
+      else
+        ++timed;
     }
-  if (timed == all) return "";
-  if (timed == 0)
-    return " All costs were measured once, while other runs were running, and have no bar.";
-  return fmt::format(
-      " Measured once, while other runs were running, and shown without a bar of cost: {}.",
-      fmt::join(names, ", "));
+  std::string text;
+  if (!untimed.empty())
+    text += timed == 0 ? " All costs were measured once, while other runs were running, and have "
+                         "no bar."
+                       : fmt::format(
+                             " Measured once, while other runs were running, and shown "
+                             "without a bar of cost: {}.",
+                             fmt::join(untimed, ", "));
+  if (!elsewhere.empty())
+    text += fmt::format(" Stored results, with costs of other machines: {}.",
+                        fmt::join(elsewhere, ", "));
+  return text;
 }
 
 Figure figure_of(const CaseAssessment& assessment, const CostAxis& axis) {
   const std::vector<WorkFamily> families = shown_families(assessment);
   const std::vector<WorkFamily> references = reference_families(assessment);
-  Figure figure;
-  figure.id = case_id(assessment.definition.name) + axis.id;
-  figure.title = axis.title;
-  figure.x_label = axis.x_label;
-  figure.y_label = "normalised rms error [1]";
-  figure.log_x = figure.log_y = true;
+  Figure figure{.id = case_id(assessment.definition.name) + axis.id,
+                .title = axis.title,
+                .x_label = axis.x_label,
+                .y_label = "normalised rms error [1]",
+                .log_x = true,
+                .log_y = true};
   std::vector<WorkPoint> candidates;
   for (const WorkFamily& family : families) {
     const std::vector<WorkPoint> points = axis.points(family);
@@ -248,14 +228,13 @@ Figure figure_of(const CaseAssessment& assessment, const CostAxis& axis) {
         figure.curves.push_back(curve_of(assessment.definition, family, axis, reference.empty()));
   figure.caption = fmt::format(
       "Normalised rms error{} over the comparison window against {}. Bars are 95 % intervals: of "
-      "the "
-      "mean cost of repeats that had a core to themselves, and of the error over blocks of the "
+      "the mean cost of repeats that had a core to themselves, and of the error over blocks of the "
       "window. The Pareto front includes all candidates; the slope is that of ln(error) over "
-      "ln(cost).{}{}{}",
+      "ln(cost).{}{}",
       reference.empty() ? "" : " from " + reference, axis.what,
       references.empty() ? ""
                          : " The error of a reference is its difference from another reference.",
-      not_timed_alone(families), of_other_machines(families));
+      remarks_on_costs(families));
   return figure;
 }
 
@@ -267,24 +246,25 @@ std::vector<Figure> convergence_figures(const CaseAssessment& assessment) {
   for (const ErrorFamily& family : error_families(assessment)) {
     const auto line = least_squares_line(family.errors);
     if (!line) continue;
-    Figure figure;
     const std::string what = family.measure.substr(0, family.measure.find(" ["));
-    figure.id = fmt::format("{}-convergence-{}-{}", case_id(definition.name), name_id(family.name),
-                            id_part(family.measure));
-    figure.title = fmt::format("Convergence: {}, {}", family.name, what);
-    figure.caption = fmt::format(
-        "Magnitude of the {} against theory or a published record, over the particle spacing or "
-        "the root of a cell's area. Line: least squares through the logarithms of those errors "
-        "that are larger than their own intervals; the ribbon is its 95 % band (Student's t), "
-        "clipped at {:.0f} times the errors. The order is given with its 95 % interval.",
-        what, band_reach);
-    figure.x_label = "spacing [mm]";
-    figure.y_label = family.measure;
-    figure.log_x = figure.log_y = true;
-    figure.curves = {error_points(family)};
+    Figure figure{
+        .id = fmt::format("{}-convergence-{}-{}", case_id(definition.name), name_id(family.name),
+                          id_part(family.measure)),
+        .title = fmt::format("Convergence: {}, {}", family.name, what),
+        .caption = fmt::format(
+            "Magnitude of the {} against theory or a published record, over the particle spacing "
+            "or the root of a cell's area. Line: least squares through the logarithms of those "
+            "errors that are larger than their own intervals; the ribbon is its 95 % band "
+            "(Student's t), clipped at {:.0f} times the errors. The order is given with its 95 % "
+            "interval.",
+            what, band_reach),
+        .x_label = "spacing [mm]",
+        .y_label = family.measure,
+        .log_x = true,
+        .log_y = true,
+        .curves = {error_points(family)}};
     figure.curves.push_back(fitted_line(*line, figure.curves[0], family.scale));
     figure.curves[0].look = look_of_family(definition, family.name);
-    figure.curves[1].look = reports::Look{true, 0, 0};
     for (const int order : {1, 2}) figure.curves.push_back(guide(order, figure.curves[1]));
     figures.push_back(std::move(figure));
   }

@@ -1,6 +1,7 @@
 // Which runs of a case a figure shows, how each is drawn, and what captions call it.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -11,13 +12,16 @@
 
 namespace slosh {
 
-// Returns the finest run of each family whose result fulfils `has`, in the order of the case file.
-// A run that changes something of its scheme is taken only where the family has no other, then the
-// one with the fewest changes.
+template <class Name, class List>
+bool is_one_of(const Name& name, const List& names) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+// Returns the finest run of each family whose result fulfils `has`, or has the series, in the order
+// of the case file. A run that changes something of its scheme is taken only where the family has
+// no other, then the one with the fewest changes.
 std::vector<std::string> finest_runs(const CaseAssessment& assessment,
                                      const std::function<bool(const RunResult&)>& has);
-
-// The same, of the runs that have the series.
 std::vector<std::string> finest_runs(const CaseAssessment& assessment, const std::string& quantity);
 
 // Whether the run is no reference outside its declared range.
@@ -52,6 +56,10 @@ std::optional<HistoryAxes> axes_over_depth(const CaseDefinition& definition,
 reports::Curve history_curve(const CaseAssessment& assessment, const std::string& run,
                              const std::string& quantity, const AxisScales& scales);
 
+// The histories of the runs on these axes, without id and words.
+reports::Figure histories(const CaseAssessment& assessment, const std::string& quantity,
+                          const std::vector<std::string>& runs, const HistoryAxes& axes);
+
 // Adds bars to points and a ribbon to a line; half widths are in the curve's unit, and `what` is
 // the legend's name of the ribbon. Throws std::invalid_argument unless there is one for each
 // sample.
@@ -83,5 +91,23 @@ std::vector<reports::Span> outside_window(const CaseDefinition& definition, doub
 // Returns "recommended_10mm: SPH, scheme recommended, 10 mm; ..." and, where a record has an
 // uncertainty, the meaning of its bars. The text ends with a full stop.
 std::string who_is_who(const CaseDefinition& definition, const std::vector<std::string>& runs);
+
+// The colour, the marker and the dash of each run: the one place that assigns them, for all figures
+// of all pages. Theory and records are black and grey. Each SPH scheme, each of OpenFOAM's programs
+// and each method of another code has a hue and a marker, and shares at most one of the two with
+// another (up to 60 of them); the runs of one family differ in marker and dash, the finest
+// unchanged run first.
+reports::Look look_of(const CaseDefinition& definition, const std::string& run);
+
+// The look of the family's finest unchanged run. A refinement path, whose name is no family's, is
+// one of meshes: it looks as interFoam does.
+reports::Look look_of_family(const CaseDefinition& definition, const std::string& family);
+
+// The look of the models of several cases, each a family, or a family and what its runs change:
+// "recommended", "recommended, h = 2 dp".
+std::vector<reports::Look> looks_of_models(const std::vector<std::string>& models);
+
+// Lines that help the eye and are no run's: tolerances, guides, the front of the best runs.
+inline reports::Look guide_look(std::size_t number) { return {true, 1, number}; }
 
 }  // namespace slosh

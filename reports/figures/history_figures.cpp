@@ -13,8 +13,6 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/figures/run_looks.hpp"
-#include "reports/model/is_one_of.hpp"
 #include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/case_definition.hpp"
@@ -54,39 +52,12 @@ std::vector<Marker> expected_frequencies(const CaseDefinition& definition) {
   return markers;
 }
 
-Curve shown_part(const std::string& label, const Spectrum& spectrum, double highest_frequency) {
-  const auto end =
-      std::upper_bound(spectrum.frequency.begin(), spectrum.frequency.end(), highest_frequency);
-  const auto count = end - spectrum.frequency.begin();
-  return {label,
-          {spectrum.frequency.begin(), end},
-          {spectrum.power.begin(), spectrum.power.begin() + count},
-          {},
-          {}};
-}
-
-// Adds the runs' curves with ribbons of their numerical uncertainty; returns whether any has one.
-bool add_curves(const CaseAssessment& assessment, const std::string& quantity,
-                const AxisScales& scales, Figure& figure) {
-  bool has_ribbon = false;
-  for (const std::string& run : finest_runs(assessment, quantity)) {
-    figure.curves.push_back(history_curve(assessment, run, quantity, scales));
-    std::vector<double> widths =
-        numerical_half_widths(assessment.definition, assessment.runs, run, quantity);
-    if (widths.empty()) continue;
-    for (double& width : widths) width *= scales.value;
-    set_uncertainty(figure.curves.back(), widths, "95 % numerical uncertainty");
-    has_ribbon = true;
-  }
-  return has_ribbon;
-}
-
 Figure history(const CaseAssessment& assessment, const std::string& quantity,
                const HistoryAxes& axes) {
   const CaseDefinition& definition = assessment.definition;
   const ShownQuantity shown = shown_quantity(definition, quantity);
   const std::vector<std::string> runs = finest_runs(assessment, quantity);
-  Figure figure;
+  Figure figure = histories(assessment, quantity, runs, axes);
   figure.id = case_id(definition.name) + "-" +
               (quantity == compared_quantities(definition).front() ? "history" : id_of(quantity));
   figure.title = shown.title;
@@ -95,11 +66,18 @@ Figure history(const CaseAssessment& assessment, const std::string& quantity,
       "Time series of the references and of the finest run of each scheme and solver. " +
       measured_how(shown, definition, runs) + who_is_who(definition, runs) + " " +
       definition.source + ".";
-  figure.x_label = axes.x_label;
-  figure.y_label = axes.y_label;
   figure.x_range = {0, axes.scales.time * definition.duration};
   figure.spans = outside_window(definition, axes.scales.time);
-  if (add_curves(assessment, quantity, axes.scales, figure))
+  bool has_ribbon = false;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    std::vector<double> widths =
+        numerical_half_widths(definition, assessment.runs, runs[i], quantity);
+    if (widths.empty()) continue;
+    for (double& width : widths) width *= axes.scales.value;
+    set_uncertainty(figure.curves[i], widths, "95 % numerical uncertainty");
+    has_ribbon = true;
+  }
+  if (has_ribbon)
     figure.caption +=
         " Ribbons around solvers: 95 % numerical uncertainty from coarser runs (Celik et al. 2008, "
         "one order for the whole series; ribbons are narrow where the series cross).";
@@ -113,34 +91,30 @@ constexpr std::pair<const char*, const char*> parts[] = {
     {"dissipated_energy", "dissipated"}, {"energy_residual", "residual"}};
 
 const TimeSeries* find(const RunResult& result, const std::string& name) {
-  const auto found = std::find_if(result.series.begin(), result.series.end(),
-                                  [&](const TimeSeries& series) { return series.name == name; });
+  const auto found = std::ranges::find(result.series, name, &TimeSeries::name);
   return found == result.series.end() || found->value.empty() ? nullptr : &*found;
 }
 
 bool has_budget(const RunResult& result) {
-  return std::all_of(std::begin(parts), std::end(parts),
-                     [&](const auto& part) { return find(result, part.first); });
+  return std::ranges::all_of(parts, [&](const auto& part) { return find(result, part.first); });
 }
 
 Figure budget(const CaseAssessment& assessment, const std::string& run) {
   const CaseDefinition& definition = assessment.definition;
-  Figure figure;
-  figure.id = case_id(definition.name) + "-energy-" + name_id(run);
-  figure.title = "Energy budget of " + run;
-  figure.caption =
-      "Changes since the start, in the earth-fixed frame, per metre of width: kinetic + potential "
-      "+ internal = work of the walls - dissipated + residual. Work and dissipation are integrated "
-      "over the run. " +
-      who_is_who(definition, {run});
-  figure.x_label = "time [s]";
-  figure.y_label = "energy [J/m]";
-  figure.x_range = {0, definition.duration};
+  Figure figure{.id = case_id(definition.name) + "-energy-" + name_id(run),
+                .title = "Energy budget of " + run,
+                .caption =
+                    "Changes since the start, in the earth-fixed frame, per metre of width: "
+                    "kinetic + potential + internal = work of the walls - dissipated + residual. "
+                    "Work and dissipation are integrated over the run. " +
+                    who_is_who(definition, {run}),
+                .x_label = "time [s]",
+                .y_label = "energy [J/m]",
+                .x_range = {0, definition.duration}};
   for (const auto& [name, word] : parts) {
     const TimeSeries& series = *find(assessment.runs.results.at(run), name);
-    reports::Curve curve{word, series.time, series.value, {}, {}};
-    for (double& value : curve.y) value -= series.value.front();
-    figure.curves.push_back(std::move(curve));
+    figure.curves.push_back({word, series.time, series.value});
+    for (double& value : figure.curves.back().y) value -= series.value.front();
   }
   return figure;
 }
@@ -167,6 +141,11 @@ std::vector<std::string> main_quantities(const CaseDefinition& definition) {
   return quantities.empty() ? std::vector<std::string>{first} : quantities;
 }
 
+std::vector<Figure> with_curves(std::vector<Figure> figures) {
+  std::erase_if(figures, [](const Figure& figure) { return figure.curves.empty(); });
+  return figures;
+}
+
 }  // namespace
 
 Figure spectrum_figure(const CaseAssessment& assessment, const std::string& quantity,
@@ -174,26 +153,31 @@ Figure spectrum_figure(const CaseAssessment& assessment, const std::string& quan
   const CaseDefinition& definition = assessment.definition;
   const ShownQuantity shown = shown_quantity(definition, quantity);
   const bool is_main = quantity == compared_quantities(definition).front();
-  Figure figure;
-  figure.id = case_id(definition.name) + "-spectrum" + (is_main ? "" : "-" + id_of(quantity));
-  figure.title = "Spectrum of the " + shown.word +
-                 (is_main ? "" : " at gauge " + quantity.substr(quantity.find('@') + 1));
-  figure.x_label = "frequency [Hz]";
-  figure.y_label = fmt::format("power [{}2]", unit_of(quantity));
-  figure.log_y = true;
-  figure.markers = expected_frequencies(definition);
-  double highest = 0, resolution_hz = 0;
+  Figure figure{
+      .id = case_id(definition.name) + "-spectrum" + (is_main ? "" : "-" + id_of(quantity)),
+      .title = "Spectrum of the " + shown.word +
+               (is_main ? "" : " at gauge " + quantity.substr(quantity.find('@') + 1)),
+      .x_label = "frequency [Hz]",
+      .y_label = fmt::format("power [{}2]", unit_of(quantity)),
+      .log_y = true,
+      .markers = expected_frequencies(definition)};
+  double highest = 0;
   for (const Marker& marker : figure.markers) highest = std::max(highest, marker.x);
   figure.x_range = {0, 1.3 * highest};
+  double resolution_hz = 0;
   std::vector<std::string> runs;
   for (const std::string& run : candidates) {
     const auto found = spectrum_of(assessment, run, quantity);
     if (!found) continue;
     runs.push_back(run);
     resolution_hz = found->resolution;
-    figure.curves.push_back(shown_part(run_label(assessment, run), *found, figure.x_range.second));
-    figure.curves.back().look = look_of(definition, run);
-    figure.curves.back().sets_scale = is_in_range(assessment, run);
+    const auto end = std::ranges::upper_bound(found->frequency, figure.x_range.second);
+    const auto count = end - found->frequency.begin();
+    figure.curves.push_back({.label = run_label(assessment, run),
+                             .x = {found->frequency.begin(), end},
+                             .y = {found->power.begin(), found->power.begin() + count},
+                             .look = look_of(definition, run),
+                             .sets_scale = is_in_range(assessment, run)});
   }
   figure.caption = fmt::format(
       "One-sided, detrended, Hann window from {} to {} s. Vertical lines mark {} and the natural "
@@ -218,60 +202,50 @@ std::vector<Figure> spectrum_figures(const CaseAssessment& assessment) {
     return quantity != main && find_quantity(quantity)->at != MeasuredAt::surface_gauge;
   });
   std::vector<Figure> figures;
-  for (const std::string& quantity : quantities) {
-    Figure figure = spectrum_figure(assessment, quantity, finest_runs(assessment, quantity));
-    if (!figure.curves.empty()) figures.push_back(std::move(figure));
-  }
-  return figures;
+  for (const std::string& quantity : quantities)
+    figures.push_back(spectrum_figure(assessment, quantity, finest_runs(assessment, quantity)));
+  return with_curves(std::move(figures));
 }
 
 std::vector<Figure> main_histories(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   std::vector<Figure> figures;
-  for (const std::string& quantity : main_quantities(definition)) {
-    Figure figure = history(assessment, quantity, axes_with_units(definition, quantity));
-    if (!figure.curves.empty()) figures.push_back(std::move(figure));
-  }
-  return figures;
+  for (const std::string& quantity : main_quantities(definition))
+    figures.push_back(history(assessment, quantity, axes_with_units(definition, quantity)));
+  return with_curves(std::move(figures));
 }
 
 std::vector<Figure> other_histories(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   const std::vector<std::string> main = main_quantities(definition);
   std::vector<Figure> figures;
-  for (const std::string& quantity : compared_quantities(definition)) {
-    if (is_one_of(quantity, main)) continue;
-    Figure figure = history(
-        assessment, quantity,
-        axes_over_depth(definition, quantity).value_or(axes_with_units(definition, quantity)));
-    if (!figure.curves.empty()) figures.push_back(std::move(figure));
-  }
-  return figures;
+  for (const std::string& quantity : compared_quantities(definition))
+    if (!is_one_of(quantity, main))
+      figures.push_back(history(
+          assessment, quantity,
+          axes_over_depth(definition, quantity).value_or(axes_with_units(definition, quantity))));
+  return with_curves(std::move(figures));
 }
 
 std::vector<Figure> residual_figures(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   const std::string quantity = compared_quantities(definition).front();
   const ShownQuantity shown = shown_quantity(definition, quantity);
-  Figure figure;
-  figure.id = case_id(definition.name) + "-residual";
-  figure.title = "Residual against the reference";
-  figure.caption = fmt::format(
-      "The {}: candidate minus reference over the comparison window, for the finest run of each "
-      "scheme and solver.",
-      shown.word);
-  figure.x_label = "time [s]";
-  figure.y_label = fmt::format("residual [{}]", shown.unit);
-  figure.x_range = {definition.window_begin, definition.window_end};
+  Figure figure{
+      .id = case_id(definition.name) + "-residual",
+      .title = "Residual against the reference",
+      .caption = fmt::format("The {}: candidate minus reference over the comparison window, for "
+                             "the finest run of each scheme and solver.",
+                             shown.word),
+      .x_label = "time [s]",
+      .y_label = fmt::format("residual [{}]", shown.unit),
+      .x_range = {definition.window_begin, definition.window_end}};
   for (const Comparison* judging : shown_comparisons(assessment)) {
-    Curve curve{judging->candidate + " - " + judging->reference,
-                judging->residual.time,
-                judging->residual.value,
-                {},
-                {}};
-    curve.look = look_of(definition, judging->candidate);
-    for (double& value : curve.y) value *= shown.scale;
-    figure.curves.push_back(std::move(curve));
+    figure.curves.push_back({.label = judging->candidate + " - " + judging->reference,
+                             .x = judging->residual.time,
+                             .y = judging->residual.value,
+                             .look = look_of(definition, judging->candidate)});
+    for (double& value : figure.curves.back().y) value *= shown.scale;
     if (const double band = shown.scale * tolerated_residual(assessment, *judging); band > 0)
       add_tolerance_band({judging->candidate, -band, band, figure.curves.back().look}, figure);
   }

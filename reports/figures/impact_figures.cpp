@@ -8,7 +8,6 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/figures/run_looks.hpp"
 #include "reports/wording/report_places.hpp"
 #include "verification/assessment/across_runs/impact_samples.hpp"
 #include "verification/case/quantities.hpp"
@@ -21,23 +20,18 @@ using reports::Curve;
 using reports::Figure;
 using Repeats = std::vector<const RunDefinition*>;
 
-// The steps of the cumulative distribution.
-Curve steps_of(const std::string& label, const std::vector<double>& values) {
-  Curve curve{label, {}, {}, {}, {}};
-  const Distribution peaks(label, values);
-  const double count = static_cast<double>(peaks.sorted().size());
-  for (std::size_t i = 0; i < peaks.sorted().size(); ++i)
+// The steps of the cumulative distribution of the peaks over the published one.
+Curve steps_of(const std::string& label, std::vector<double> peaks, double published,
+               const reports::Look& look) {
+  Curve curve{.label = label, .look = look};
+  std::ranges::sort(peaks);
+  const double count = static_cast<double>(peaks.size());
+  for (std::size_t i = 0; i < peaks.size(); ++i)
     for (const double below : {static_cast<double>(i), static_cast<double>(i + 1)}) {
-      curve.x.push_back(peaks.sorted()[i]);
+      curve.x.push_back(peaks[i] / published);
       curve.y.push_back(below / count);
     }
   return curve;
-}
-
-// Each peak over the published mean of its impact.
-std::vector<double> over_published(std::vector<double> peaks, double published) {
-  for (double& peak : peaks) peak /= published;
-  return peaks;
 }
 
 // The peak of one edge of a record's band over the published one, of a case of a single impact.
@@ -51,15 +45,6 @@ std::optional<double> edge_of_band(const CaseAssessment& assessment, const std::
   return std::nullopt;
 }
 
-// " NAME: 20 peaks, median 1.12 (0.95 to 1.30) times the experiment's, ..." of runs with enough
-// peaks; else empty.
-std::string comparison_with_experiment(const CaseDefinition& definition, const std::string& run,
-                                       const PeakSample& sample, std::size_t impact) {
-  const auto found = against_experiment(definition, sample, impact);
-  if (!found) return "";
-  return fmt::format(" {}: {} peaks, {}.", run, sample.peaks.size(), comparison_text(*found));
-}
-
 Figure distributions(const CaseAssessment& assessment, const std::string& pressure,
                      std::size_t impact) {
   const CaseDefinition& definition = assessment.definition;
@@ -67,32 +52,32 @@ Figure distributions(const CaseAssessment& assessment, const std::string& pressu
   const double published = impacts.peak_means.at(impact);
   const bool of_filtered = is_filtered(pressure);
   const bool is_only = impacts.times.size() == 1;
-  Figure figure;
-  figure.id = fmt::format("{}{}-peaks{}", case_id(definition.name), of_filtered ? "-filtered" : "",
-                          is_only ? "" : fmt::format("-{}", impact + 1));
-  figure.title = fmt::format("Distribution of the peaks{}{}",
-                             is_only ? "" : fmt::format(" of impact {}", impact + 1),
-                             of_filtered ? ", filtered" : "");
-  figure.x_label = "peak over the published one [1]";
-  figure.y_label = "share of the peaks up to it [1]";
+  Figure figure{
+      .id = fmt::format("{}{}-peaks{}", case_id(definition.name), of_filtered ? "-filtered" : "",
+                        is_only ? "" : fmt::format("-{}", impact + 1)),
+      .title = fmt::format("Distribution of the peaks{}{}",
+                           is_only ? "" : fmt::format(" of impact {}", impact + 1),
+                           of_filtered ? ", filtered" : ""),
+      .x_label = "peak over the published one [1]",
+      .y_label = "share of the peaks up to it [1]"};
   std::vector<std::string> runs;
   std::string comparisons;
   for (const Repeats& repeats : repeated_runs(definition)) {
     const PeakSample sample = peak_sample(assessment, repeats, pressure, impact);
     if (sample.peaks.size() < 2) continue;
-    runs.push_back(repeats.front()->name);
-    comparisons += comparison_with_experiment(definition, runs.back(), sample, impact);
-    figure.curves.push_back(steps_of(fmt::format("{}, {} peaks", runs.back(), sample.peaks.size()),
-                                     over_published(sample.peaks, published)));
-    figure.curves.back().look = look_of(definition, runs.back());
+    const std::string& run = runs.emplace_back(repeats.front()->name);
+    if (const auto found = against_experiment(definition, sample, impact))
+      comparisons +=
+          fmt::format(" {}: {} peaks, {}.", run, sample.peaks.size(), comparison_text(*found));
+    figure.curves.push_back(steps_of(fmt::format("{}, {} peaks", run, sample.peaks.size()),
+                                     sample.peaks, published, look_of(definition, run)));
   }
   if (figure.curves.empty()) return figure;
   if (!impacts.repeats.empty()) {
     const std::vector<double>& peaks = impacts.repeats.at(impact);
     figure.curves.insert(figure.curves.begin(),
-                         steps_of(fmt::format("experiment, {} peaks", peaks.size()),
-                                  over_published(peaks, published)));
-    figure.curves.front().look = guide_look(0);
+                         steps_of(fmt::format("experiment, {} peaks", peaks.size()), peaks,
+                                  published, guide_look(0)));
   }
   if (is_only)
     for (const auto& [label, edge] :

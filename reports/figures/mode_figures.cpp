@@ -15,10 +15,9 @@
 #include <numbers>
 #include <optional>
 
-#include "reports/drawing/axes.hpp"
+#include "reports/drawing/figure_layout.hpp"
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/figures/run_looks.hpp"
 #include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/quantities.hpp"
@@ -62,8 +61,9 @@ std::optional<std::vector<FittedWindow>> fits_of(const CaseAssessment& assessmen
 Curve curve_of(const CaseDefinition& definition, const Comparison& pair,
                const std::vector<FittedWindow>& fits, Estimate ModeComparison::*measure,
                double offset) {
-  Curve curve{pair.candidate + " against " + pair.reference, {}, {}, {}, Curve::Style::line};
-  curve.look = look_of(definition, pair.candidate);
+  Curve curve{.label = pair.candidate + " against " + pair.reference,
+              .ribbon = "95 % interval",
+              .look = look_of(definition, pair.candidate)};
   for (const FittedWindow& fit : fits) {
     const ModeComparison& mode = fit.modes.front();
     const Estimate value = mode.resolved() ? mode.*measure : Estimate{not_a_number, 0};
@@ -72,7 +72,6 @@ Curve curve_of(const CaseDefinition& definition, const Comparison& pair,
     curve.lower.push_back(offset + value.value - value.half_width);
     curve.upper.push_back(offset + value.value + value.half_width);
   }
-  curve.ribbon = "95 % interval";
   return curve;
 }
 
@@ -84,12 +83,11 @@ void add_band(const CaseDefinition& definition, const Comparison& pair, const st
                        figure);
 }
 
-Figure frame(const CaseDefinition& definition, const std::vector<ToneRequest>& tones,
-             const SlidingWindows& sliding) {
-  Figure figure;
+std::string sliding_caption(const CaseDefinition& definition, const std::vector<ToneRequest>& tones,
+                            const SlidingWindows& sliding) {
   std::string others;
   for (std::size_t i = 1; i < tones.size(); ++i) others += (i > 1 ? ", " : "") + tones[i].name;
-  figure.caption = fmt::format(
+  return fmt::format(
       "The {}, mode {}: harmonic least squares over windows of {:.3g} s ({:.0f} periods) every "
       "{:.2g} s, plotted at their midpoints{}; ribbons are 95 % intervals. A window cannot "
       "separate the mode from a neighbouring mode that beats with it, so the curve includes that "
@@ -97,8 +95,6 @@ Figure frame(const CaseDefinition& definition, const std::vector<ToneRequest>& t
       shown_quantity(definition, compared_quantities(definition).front()).word, tones[0].name,
       sliding.length, periods_per_window, sliding.step,
       others.empty() ? "" : ", fitted together with " + others);
-  figure.x_label = "midpoint of the window [s]";
-  return figure;
 }
 
 constexpr double radian_per_degree = std::numbers::pi / 180;
@@ -113,8 +109,7 @@ Curve phasor(const std::string& label, const reports::Look& look, const ModeComp
   const double lag = mode.phase_lag_degrees.value * radian_per_degree;
   const double along = mode.amplitude_error.half_width;
   const double across = ratio * mode.phase_lag_degrees.half_width * radian_per_degree;
-  Curve curve{label, {}, {}, {}, Curve::Style::points};
-  curve.look = look;
+  Curve curve{.label = label, .style = Curve::Style::points, .look = look};
   add_point(curve, ratio, lag);
   curve.x_error = {std::hypot(along * std::cos(lag), across * std::sin(lag))};
   curve.y_error = {std::hypot(along * std::sin(lag), across * std::cos(lag))};
@@ -154,7 +149,7 @@ void add_gap(Curve& curve) { add_point(curve, not_a_number, 0); }
 
 // Returns a closed line around the sector, or two open edges where only one row stands.
 Curve outline(const std::string& label, const Sector& sector) {
-  Curve curve{label, {}, {}, {}, Curve::Style::dashed};
+  Curve curve{.label = label, .style = Curve::Style::dashed};
   if (!sector.of_ratio) {
     for (const double lag : {sector.lag_low, sector.lag_high}) {
       add_point(curve, sector.ratio_low, lag);
@@ -188,9 +183,16 @@ void add_tolerance(const std::string& candidate, const Sector& sector,
 
 Figure phasor_figure(const CaseAssessment& assessment, const std::string& mode) {
   const CaseDefinition& definition = assessment.definition;
-  Figure figure;
-  figure.curves = {{"reference, (1, 0)", {1}, {0}, {}, Curve::Style::points}};
-  figure.curves[0].look = reports::Look{true, 0, 0};
+  Figure figure{.id = case_id(definition.name) + "-phasor-" + mode,
+                .title = "Amplitude and phase of the mode " + mode,
+                .x_label = "in phase, Re [1]",
+                .y_label = "in quadrature, Im [1]",
+                .curves = {{.label = "reference, (1, 0)",
+                            .x = {1},
+                            .y = {0},
+                            .style = Curve::Style::points,
+                            .look = reports::Look{true, 0, 0}}},
+                .equal_axes = true};
   std::vector<Curve> outlines;
   std::vector<std::string> runs;
   for (const Comparison* shown : shown_comparisons(assessment))
@@ -203,8 +205,6 @@ Figure phasor_figure(const CaseAssessment& assessment, const std::string& mode) 
     }
   if (runs.empty()) return {};
   figure.curves.insert(figure.curves.end(), outlines.begin(), outlines.end());
-  figure.id = case_id(definition.name) + "-phasor-" + mode;
-  figure.title = "Amplitude and phase of the mode " + mode;
   figure.caption = fmt::format(
       "The {}: complex amplitude of the candidate over that of its reference, from the harmonic "
       "fit over {:g} to {:g} s. A point below the axis is late, one outside the unit circle has "
@@ -216,9 +216,6 @@ Figure phasor_figure(const CaseAssessment& assessment, const std::string& mode) 
                        : "Dashed: bounds of the gate rows; a row passes where the whole "
                          "interval lies within. ",
       who_is_who(definition, runs));
-  figure.x_label = "in phase, Re [1]";
-  figure.y_label = "in quadrature, Im [1]";
-  figure.equal_axes = true;
   let_most_set_scale(figure,
                      [](const Curve& curve) { return std::hypot(curve.x[0] - 1, curve.y[0]); });
   const auto [horizontal, vertical] = reports::plot_ranges(figure);
@@ -238,13 +235,16 @@ std::vector<Figure> sliding_figures(const CaseAssessment& assessment) {
   if (modes.empty()) return {};
   const SlidingWindows sliding = windows_of(definition, modes.front());
   const std::vector<ToneRequest> tones = resolved_tones(modes, sliding.length);
-  Figure ratio = frame(definition, tones, sliding), lag = ratio;
-  ratio.id = case_id(definition.name) + "-sliding-amplitude";
-  ratio.title = "Amplitude ratio over time";
-  ratio.y_label = "amplitude over the reference's [1]";
-  lag.id = case_id(definition.name) + "-sliding-lag";
-  lag.title = "Phase lag over time";
-  lag.y_label = "phase lag [deg] (positive: late)";
+  Figure ratio{.id = case_id(definition.name) + "-sliding-amplitude",
+               .title = "Amplitude ratio over time",
+               .caption = sliding_caption(definition, tones, sliding),
+               .x_label = "midpoint of the window [s]",
+               .y_label = "amplitude over the reference's [1]"};
+  Figure lag{.id = case_id(definition.name) + "-sliding-lag",
+             .title = "Phase lag over time",
+             .caption = ratio.caption,
+             .x_label = ratio.x_label,
+             .y_label = "phase lag [deg] (positive: late)"};
   for (const Comparison* pair : shown_comparisons(assessment)) {
     const auto fits = fits_of(assessment, *pair, sliding, tones);
     if (!fits) continue;

@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
-#include <string>
 #include <utility>
 
-#include "reports/drawing/axes.hpp"
+#include "reports/drawing/figure_layout.hpp"
 #include "reports/figures/case_figures.hpp"
-#include "reports/figures/figure_panels.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/model/is_one_of.hpp"
 #include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -26,11 +24,6 @@ namespace {
 using reports::Figure;
 
 constexpr double round_off = 1e-9;  // [m]
-
-struct Panel {
-  Figure figure;
-  std::string quantity;
-};
 
 // Returns the scheme's run at the paper's spacing, the same near the surface, or else `finest`.
 std::string run_of_scheme(const CaseAssessment& assessment, const Paper& paper,
@@ -71,132 +64,132 @@ std::vector<std::string> shown_runs(const CaseAssessment& assessment, const Pape
   return has_simulation ? shown : std::vector<std::string>{};
 }
 
-// "Li et al. 2010, figure 5. Highest surface", of which case where the figure has several.
-std::string title_of(const Paper& paper, const PaperFigure& figure, const std::string& what,
-                     const CaseDefinition& definition) {
-  return fmt::format("{}, {}. {}{}", paper.citation, figure_name(figure.number), what,
-                     figure.cases.size() > 1 ? " (" + definition.title + ")" : "");
-}
+// One figure of a paper, as its panels are drawn from the cases of a campaign.
+class Redrawing {
+ public:
+  Redrawing(const Paper& paper, const PaperFigure& figure) : paper_(paper), figure_(figure) {}
 
-std::string id_stem(const Paper& paper, const PaperFigure& figure, const std::string& case_name) {
-  std::string number = figure.number;
-  std::replace(number.begin(), number.end(), ' ', '-');
-  return fmt::format("{}-figure-{}-{}", paper.name, number, case_name);
-}
+  // Adds the panels of one case. Fields are those of the sections that the report has.
+  void add(const CaseAssessment& assessment, const std::vector<reports::Section>& written) {
+    switch (figure_.redrawn) {
+      case Redrawn::history:
+      case Redrawn::spectrum:
+        return add_drawn(assessment);
+      case Redrawn::time_steps:
+      case Redrawn::spacings:
+        return add_studies(assessment);
+      case Redrawn::fields:
+        return add_fields(assessment, written);
+      case Redrawn::not_at_all:
+        return;
+    }
+  }
 
-std::string not_known_text(const PaperFigure& figure) {
-  return figure.not_known.empty()
-             ? ""
-             : fmt::format(" Of the paper's figure we do not know {}.", figure.not_known);
-}
+  // The panels, those of the same quantity with one vertical axis.
+  std::vector<Figure> panels() {
+    std::map<std::string, std::pair<double, double>> ranges;
+    for (const auto& [quantity, figure] : panels_) {
+      const reports::AxisRange range = reports::plot_ranges(figure).vertical;
+      auto& [lower, upper] = ranges.try_emplace(quantity, range.lower, range.upper).first->second;
+      lower = std::min(lower, range.lower);
+      upper = std::max(upper, range.upper);
+    }
+    std::vector<Figure> all;
+    for (auto& [quantity, figure] : panels_) {
+      figure.y_range = ranges.at(quantity);
+      std::ranges::move(in_panels(figure), std::back_inserter(all));
+    }
+    if (figure_.redrawn == Redrawn::history)
+      for (Figure& panel : all) panel.caption += cut_off_text(panel);
+    return all;
+  }
 
-// Draws the time series, or the spectrum, of one quantity; without a curve where none can be.
-Figure drawn(const CaseAssessment& assessment, const Paper& paper, const PaperFigure& figure,
-             const std::string& quantity) {
-  const CaseDefinition& definition = assessment.definition;
-  const std::vector<std::string> runs = shown_runs(assessment, paper, quantity);
-  if (runs.empty()) return {};
-  Figure panel;
-  if (figure.redrawn == Redrawn::spectrum) {
-    panel = spectrum_figure(assessment, quantity, runs);
-    panel.title = title_of(paper, figure, panel.title, definition);
-  } else {
+  std::vector<std::string> anchors = {};  // of fields
+  std::vector<std::string> missing = {};  // why panels are left out
+
+ private:
+  // "Li et al. 2010, figure 5. Highest surface", of which case where the figure has several.
+  std::string title_of(const std::string& what, const CaseDefinition& definition) const {
+    return fmt::format("{}, {}. {}{}", paper_.citation, figure_name(figure_.number), what,
+                       figure_.cases.size() > 1 ? " (" + definition.title + ")" : "");
+  }
+
+  void add_panel(Figure panel, const std::string& id, const std::string& quantity,
+                 const CaseDefinition& definition) {
+    panel.id = fmt::format("{}-figure-{}-{}-{}", paper_.name, figure_.number, definition.name, id);
+    std::ranges::replace(panel.id, ' ', '-');
+    panel.title = title_of(panel.title, definition);
+    if (!figure_.not_known.empty())
+      panel.caption += fmt::format(" Of the paper's figure we do not know {}.", figure_.not_known);
+    panels_.emplace_back(quantity, std::move(panel));
+  }
+
+  // Draws the time series of one quantity, the paper's span of it where that is known.
+  Figure history(const CaseAssessment& assessment, const std::string& quantity,
+                 const std::vector<std::string>& runs) const {
+    const CaseDefinition& definition = assessment.definition;
     const ShownQuantity shown = shown_quantity(definition, quantity);
-    const auto over_depth = figure.without_dimensions ? axes_over_depth(definition, quantity)
-                                                      : std::optional<HistoryAxes>{};
+    const auto over_depth = figure_.without_dimensions ? axes_over_depth(definition, quantity)
+                                                       : std::optional<HistoryAxes>{};
     const HistoryAxes axes = over_depth.value_or(axes_with_units(definition, quantity));
-    const auto [begin, end] = figure.time_span_s.first < figure.time_span_s.second
-                                  ? figure.time_span_s
+    const auto [begin, end] = figure_.time_span_s.first < figure_.time_span_s.second
+                                  ? figure_.time_span_s
                                   : std::pair{0.0, definition.duration};
-    panel.title = title_of(paper, figure, shown.title, definition);
-    panel.x_label = axes.x_label;
-    panel.y_label = axes.y_label;
+    Figure panel = histories(assessment, quantity, runs, axes);
+    panel.title = shown.title;
     panel.x_range = {axes.scales.time * begin, axes.scales.time * end};
-    for (const std::string& run : runs)
-      panel.curves.push_back(history_curve(assessment, run, quantity, axes.scales));
     panel.caption =
         axes.symbols + measured_how(shown, definition, runs) + who_is_who(definition, runs);
+    return panel;
   }
-  panel.id = id_stem(paper, figure, definition.name) + "-" + id_of(quantity);
-  panel.caption += not_known_text(figure);
-  return panel;
-}
 
-// Gives the panels of the same quantity one vertical axis.
-void share_axes(std::vector<Panel>& panels) {
-  std::map<std::string, std::pair<double, double>> ranges;
-  for (const Panel& panel : panels) {
-    const reports::AxisRange range = reports::plot_ranges(panel.figure).vertical;
-    const auto [place, is_new] = ranges.try_emplace(panel.quantity, range.lower, range.upper);
-    if (is_new) continue;
-    place->second.first = std::min(place->second.first, range.lower);
-    place->second.second = std::max(place->second.second, range.upper);
-  }
-  for (Panel& panel : panels) panel.figure.y_range = ranges.at(panel.quantity);
-}
-
-void add_studies(const CaseAssessment& assessment, const Paper& paper, const PaperFigure& figure,
-                 std::vector<Panel>& panels, RedrawnFigure& redrawn) {
-  const std::string quantity = figure.quantities.front(),
-                    stem = id_stem(paper, figure, assessment.definition.name);
-  const bool of_step = figure.redrawn == Redrawn::time_steps;
-  for (const std::string& scheme : paper.schemes) {
-    std::vector<Figure> found =
-        studies_of(assessment, of_step ? Studied::time_step : Studied::spacing, quantity, {scheme});
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      Figure& panel = found[i];
-      panel.id = stem + "-" + scheme + (i > 0 ? fmt::format("-{}", i + 1) : "");
-      panel.title = title_of(paper, figure, panel.title, assessment.definition);
-      panel.caption += not_known_text(figure);
-      panels.push_back({std::move(panel), quantity});
+  void add_drawn(const CaseAssessment& assessment) {
+    const CaseDefinition& definition = assessment.definition;
+    for (const std::string& quantity : figure_.quantities) {
+      const std::vector<std::string> runs = shown_runs(assessment, paper_, quantity);
+      Figure panel;
+      if (!runs.empty())
+        panel = figure_.redrawn == Redrawn::spectrum ? spectrum_figure(assessment, quantity, runs)
+                                                     : history(assessment, quantity, runs);
+      if (panel.curves.empty())
+        missing.push_back(
+            fmt::format("no simulation of {} has a result with {}", definition.name, quantity));
+      else
+        add_panel(std::move(panel), id_of(quantity), quantity, definition);
     }
-    if (found.empty())
-      redrawn.missing.push_back(fmt::format("{} has no results of {} that differ in their {} alone",
-                                            assessment.definition.name, scheme,
-                                            of_step ? "time step" : "particle spacing"));
   }
-}
 
-void add_drawn(const CaseAssessment& assessment, const Paper& paper, const PaperFigure& figure,
-               std::vector<Panel>& panels, RedrawnFigure& redrawn) {
-  for (const std::string& quantity : figure.quantities) {
-    Figure panel = drawn(assessment, paper, figure, quantity);
-    if (panel.curves.empty())
-      redrawn.missing.push_back(fmt::format("no simulation of {} has a result with {}",
-                                            assessment.definition.name, quantity));
-    else
-      panels.push_back({std::move(panel), quantity});
+  void add_studies(const CaseAssessment& assessment) {
+    const CaseDefinition& definition = assessment.definition;
+    const std::string& quantity = figure_.quantities.front();
+    const bool of_step = figure_.redrawn == Redrawn::time_steps;
+    for (const std::string& scheme : paper_.schemes) {
+      const std::vector<Figure> found = studies_of(
+          assessment, of_step ? Studied::time_step : Studied::spacing, quantity, {scheme});
+      for (std::size_t i = 0; i < found.size(); ++i)
+        add_panel(found[i], scheme + (i > 0 ? fmt::format("-{}", i + 1) : ""), quantity,
+                  definition);
+      if (found.empty())
+        missing.push_back(fmt::format("{} has no results of {} that differ in their {} alone",
+                                      definition.name, scheme,
+                                      of_step ? "time step" : "particle spacing"));
+    }
   }
-}
 
-void add_fields(const CaseAssessment& assessment, const std::vector<reports::Section>& written,
-                RedrawnFigure& redrawn) {
-  const std::string stem = case_id(assessment.definition.name) + "-fields-";
-  const std::size_t before = redrawn.anchors.size();
-  for (const reports::Section& section : written)
-    for (const reports::FieldFigure& field : section.fields)
-      if (field.id.starts_with(stem)) redrawn.anchors.push_back("figure-" + field.id);
-  if (redrawn.anchors.size() == before)
-    redrawn.missing.push_back("the report has no fields of " + assessment.definition.name);
-}
-
-// Adds the panels of one case to those of the figure.
-void add_case(const CaseAssessment& assessment, const Paper& paper, const PaperFigure& figure,
-              const std::vector<reports::Section>& written, std::vector<Panel>& panels,
-              RedrawnFigure& redrawn) {
-  switch (figure.redrawn) {
-    case Redrawn::history:
-    case Redrawn::spectrum:
-      return add_drawn(assessment, paper, figure, panels, redrawn);
-    case Redrawn::time_steps:
-    case Redrawn::spacings:
-      return add_studies(assessment, paper, figure, panels, redrawn);
-    case Redrawn::fields:
-      return add_fields(assessment, written, redrawn);
-    case Redrawn::not_at_all:
-      return;
+  void add_fields(const CaseAssessment& assessment, const std::vector<reports::Section>& written) {
+    const std::string stem = case_id(assessment.definition.name) + "-fields-";
+    const std::size_t before = anchors.size();
+    for (const reports::Section& section : written)
+      for (const reports::FieldFigure& field : section.fields)
+        if (field.id.starts_with(stem)) anchors.push_back("figure-" + field.id);
+    if (anchors.size() == before)
+      missing.push_back("the report has no fields of " + assessment.definition.name);
   }
-}
+
+  const Paper& paper_;
+  const PaperFigure& figure_;
+  std::vector<std::pair<std::string, Figure>> panels_;  // by quantity
+};
 
 }  // namespace
 
@@ -204,28 +197,24 @@ PaperPanels paper_panels(const Paper& paper, const std::vector<CaseAssessment>& 
                          const std::vector<reports::Section>& written) {
   PaperPanels all;
   for (const PaperFigure& figure : paper.figures) {
-    RedrawnFigure redrawn{.number = figure.number};
+    Redrawing redrawing(paper, figure);
     if (figure.redrawn == Redrawn::not_at_all)
-      redrawn.missing.emplace_back(fmt::format("not known here: {}", figure.not_known));
-    std::vector<Panel> panels;
+      redrawing.missing.push_back("not known here: " + figure.not_known);
     std::vector<std::string> absent;
     for (const std::string& name : figure.cases) {
       if (const CaseAssessment* assessment = find_case(cases, name))
-        add_case(*assessment, paper, figure, written, panels, redrawn);
+        redrawing.add(*assessment, written);
       else
         absent.push_back(name);
     }
     if (!absent.empty())
-      redrawn.missing.push_back(
+      redrawing.missing.push_back(
           fmt::format("not part of this campaign: {}", fmt::join(absent, ", ")));
-    share_axes(panels);
-    for (const Panel& whole : panels)
-      for (Figure& part : in_panels(whole.figure)) {
-        if (figure.redrawn == Redrawn::history) part.caption += cut_off_text(part);
-        redrawn.anchors.push_back("figure-" + part.id);
-        all.figures.push_back(std::move(part));
-      }
-    all.redrawn.push_back(std::move(redrawn));
+    for (Figure& panel : redrawing.panels()) {
+      redrawing.anchors.push_back("figure-" + panel.id);
+      all.figures.push_back(std::move(panel));
+    }
+    all.redrawn.push_back({figure.number, redrawing.anchors, redrawing.missing});
   }
   return all;
 }

@@ -11,7 +11,6 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/model/is_one_of.hpp"
 #include "reports/wording/report_places.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/ensemble.hpp"
@@ -122,17 +121,12 @@ Figure study_figure(const CaseAssessment& assessment, const std::string& quantit
   std::vector<std::string> names = records(assessment, quantity);
   const std::size_t recorded = names.size();
   for (const RunDefinition* run : runs) names.push_back(run->name);
-  Figure figure;
+  Figure figure = histories(assessment, quantity, names, axes_with_units(definition, quantity));
+  figure.x_range = {0, definition.duration};
   figure.caption = fmt::format(
       "{}. Runs of one scheme or method that differ only in their {}. {}{} {}.", shown.title,
       studied == Studied::time_step ? "time step" : "particle spacing",
       measured_how(shown, definition, names), who_is_who(definition, names), definition.source);
-  const HistoryAxes axes = axes_with_units(definition, quantity);
-  figure.x_label = axes.x_label;
-  figure.y_label = axes.y_label;
-  figure.x_range = {0, definition.duration};
-  for (const std::string& name : names)
-    figure.curves.push_back(history_curve(assessment, name, quantity, axes.scales));
   for (std::size_t i = 0; i < runs.size(); ++i)
     figure.curves[recorded + i].label =
         fmt::format("{} ({})", value_text(*runs[i], studied), runs[i]->name);

@@ -36,9 +36,9 @@ struct Look {
 
 // A polyline (or points) of a figure.
 struct Curve {
-  std::string label;            // empty: it has no entry in the legend
-  std::vector<double> x, y;     // of equal length
-  std::vector<double> y_error;  // half bars, as long as y; empty for none
+  std::string label;                   // empty: it has no entry in the legend
+  std::vector<double> x = {}, y = {};  // of equal length
+  std::vector<double> y_error = {};    // half bars, as long as y; empty for none
   enum class Style { line, dashed, points, line_points } style = Style::line;
   std::vector<double> x_error = {};            // half bars, as long as x; empty for none
   std::vector<double> lower = {}, upper = {};  // edges of a ribbon, as long as y; empty for none
@@ -71,13 +71,13 @@ struct Span {
 
 struct Figure {
   std::string id;  // file name stem, and the anchor is "figure-<id>"
-  std::string title, caption;
-  std::string x_label, y_label;
+  std::string title, caption = {};
+  std::string x_label = {}, y_label = {};
   bool log_x = false, log_y = false;        // values that are not positive leave a gap there
   std::pair<double, double> x_range{0, 0};  // equal ends: automatic
-  std::vector<Curve> curves;                // those of one ribbon text share its legend entry
-  std::vector<Band> bands;
-  std::vector<Marker> markers;
+  std::vector<Curve> curves = {};           // those of one ribbon text share its legend entry
+  std::vector<Band> bands = {};
+  std::vector<Marker> markers = {};
   std::vector<Span> spans = {};
   bool equal_axes = false;  // a square with one scale for both axes, neither of them logarithmic
   bool to_scale = false;    // one scale for both axes, whose ranges are given; as high as they take
@@ -129,8 +129,8 @@ struct FieldFigure {
 struct Table {
   std::string id, title, caption;  // the anchor is "table-<id>"
   std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;  // each as long as the header
-  std::vector<std::string> row_ids = {};       // anchors "row-<id>", one per row; empty for none
+  std::vector<std::vector<std::string>> rows = {};  // each as long as the header
+  std::vector<std::string> row_ids = {};  // anchors "row-<id>", one per row; empty for none
   // For each cell the anchor of this report that it links to ("section-gate", "row-surge-3"), empty
   // for none. There are as many as cells, or none at all.
   std::vector<std::vector<std::string>> links = {};
@@ -142,9 +142,9 @@ struct Table {
 
 struct Section {
   std::string id, title;  // the anchor is "section-<id>"
-  std::vector<std::string> paragraphs;
-  std::vector<Table> tables;
-  std::vector<Figure> figures;
+  std::vector<std::string> paragraphs = {};
+  std::vector<Table> tables = {};
+  std::vector<Figure> figures = {};
   std::vector<FieldFigure> fields = {};  // after the figures; the numbering continues
   std::string page = {};                 // the id of the page it stands on; empty: the first
 };

@@ -8,190 +8,130 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "reports/drawing/field_range.hpp"
-#include "reports/fields/field_layout.hpp"
+#include "reports/drawing/field_parts.hpp"
 #include "reports/model/report_model.hpp"
-#include "reports/pages/page_links.hpp"
+#include "reports/pages/report_documents.hpp"
 
 namespace slosh::reports {
 namespace {
 
+// Throws ReportError unless the condition holds of the part: "figure 'cost'", "page 'waves'".
+void require(bool holds, const std::string& part, const std::string& expectation) {
+  if (!holds) throw ReportError(part + ": expected " + expectation);
+}
+
+std::string named(const char* kind, const std::string& id) {
+  return std::string(kind) + " '" + id + "'";
+}
+
 void check_id(const char* kind, const std::string& id, std::set<std::string>& taken) {
-  const bool fit = !id.empty() && std::all_of(id.begin(), id.end(), [](char c) {
+  const bool fit = !id.empty() && std::ranges::all_of(id, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_';
   });
-  if (!fit)
-    throw ReportError(fmt::format("{} id '{}': expected letters, digits, '-' and '_'", kind, id));
-  if (!taken.insert(id).second)
-    throw ReportError(fmt::format("{} id '{}' is used twice", kind, id));
+  require(fit, named(kind, id), "an id of letters, digits, '-' and '_'");
+  require(taken.insert(id).second, named(kind, id), "an id that nothing else has");
 }
 
-void check_table(const Table& table) {
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    if (table.rows[i].size() != table.header.size()) {
-      throw ReportError(fmt::format("table '{}', row {}: {} cells, expected {} as in the header",
-                                    table.id, i + 1, table.rows[i].size(), table.header.size()));
-    }
-  }
-}
-
-void check_row_anchors(const Table& table, std::set<std::string>& taken) {
-  if (!table.row_ids.empty() && table.row_ids.size() != table.rows.size()) {
-    throw ReportError(fmt::format("table '{}': {} row_ids, expected {} as the rows, or none",
-                                  table.id, table.row_ids.size(), table.rows.size()));
-  }
-  for (const std::string& id : table.row_ids) check_id("row", id, taken);
-}
-
-void check_reasons(const Table& table) {
-  if (!table.reasons.empty() && table.reasons.size() != table.rows.size())
-    throw ReportError(fmt::format("table '{}': {} reasons, expected {} as the rows, or none",
-                                  table.id, table.reasons.size(), table.rows.size()));
+void check_table(const Table& table, std::set<std::string>& row_ids) {
+  const std::string name = named("table", table.id);
+  for (const auto& row : table.rows)
+    require(row.size() == table.header.size(), name, "as many cells in each row as in the header");
+  require(table.row_ids.empty() || table.row_ids.size() == table.rows.size(), name,
+          "as many row_ids as rows, or none");
+  require(table.reasons.empty() || table.reasons.size() == table.rows.size(), name,
+          "as many reasons as rows, or none");
+  for (const std::string& id : table.row_ids) check_id("row", id, row_ids);
 }
 
 void check_links(const Table& table, const std::map<std::string, std::string>& anchors) {
   if (table.links.empty()) return;
   const auto width = [](const auto& row) { return row.size(); };
-  if (!std::ranges::equal(table.links, table.rows, {}, width, width))
-    throw ReportError(
-        fmt::format("table '{}': expected one link per cell, empty for none", table.id));
+  require(std::ranges::equal(table.links, table.rows, {}, width, width), named("table", table.id),
+          "one link per cell, empty for none");
   for (const auto& row : table.links)
     for (const std::string& anchor : row)
-      if (!anchor.empty() && !anchors.contains(anchor)) {
-        throw ReportError(fmt::format(
-            "table '{}': a link leads to '{}', which the report does not have", table.id, anchor));
-      }
+      require(anchor.empty() || anchors.contains(anchor), named("table", table.id),
+              "links to anchors of the report, not to '" + anchor + "'");
 }
 
-// Every section must stand on an existing page, and every page must have a section.
+// Every section must stand on an existing page, every page must have a section, and an appendix
+// must follow the page that it continues, or another appendix of that.
 void check_pages(const Report& report) {
   std::set<std::string> pages{"index"}, used;  // the first page's file has this name
   for (const Page& page : report.pages) check_id("page", page.id, pages);
   for (const Section& section : report.sections) {
-    if (!section.page.empty() && (section.page == "index" || !pages.contains(section.page))) {
-      throw ReportError(
-          fmt::format("section '{}' is on the page '{}', which the report does not have",
-                      section.id, section.page));
-    }
+    require(section.page.empty() || (section.page != "index" && pages.contains(section.page)),
+            named("section", section.id), "a page of the report, not '" + section.page + "'");
     used.insert(section.page);
   }
-  std::string before;  // the page that an appendix continues, and its other appendices, precede it
+  std::string before;
   for (const Page& page : report.pages) {
-    if (!used.contains(page.id))
-      throw ReportError(fmt::format("page '{}' has no section", page.id));
-    if (!page.continues.empty() && page.continues != before)
-      throw ReportError(fmt::format("page '{}' continues '{}', expected the page before it",
-                                    page.id, page.continues));
+    require(used.contains(page.id), named("page", page.id), "a section");
+    require(page.continues.empty() || page.continues == before, named("page", page.id),
+            "the page '" + page.continues + "' before it, which it continues");
     if (page.continues.empty()) before = page.id;
   }
 }
 
 void check_curve(const Figure& figure, const Curve& curve) {
+  const std::string name = fmt::format("figure '{}', curve '{}'", figure.id, curve.label);
   const auto fits = [&](const std::vector<double>& values) {
     return values.empty() || values.size() == curve.y.size();
   };
-  if (curve.x.size() != curve.y.size() || !fits(curve.y_error) || !fits(curve.x_error))
-    throw ReportError(fmt::format(
-        "figure '{}', curve '{}': {} x, {} y, {} y_error, {} x_error values, expected equally many",
-        figure.id, curve.label, curve.x.size(), curve.y.size(), curve.y_error.size(),
-        curve.x_error.size()));
-  if (curve.lower.size() != curve.upper.size() || !fits(curve.lower))
-    throw ReportError(fmt::format(
-        "figure '{}', curve '{}': a ribbon of {} lower and {} upper values about {} y, expected "
-        "equally many",
-        figure.id, curve.label, curve.lower.size(), curve.upper.size(), curve.y.size()));
-  if (!curve.lower.empty() && curve.ribbon.empty())
-    throw ReportError(
-        fmt::format("figure '{}', curve '{}': a ribbon without a name, expected what it shows",
-                    figure.id, curve.label));
-}
-
-void check_range(const Figure& figure, const char* name, std::pair<double, double> range,
-                 bool logarithmic) {
-  const auto [lower, upper] = range;
-  if (lower == upper) return;
-  if (!(lower < upper) || !std::isfinite(lower) || !std::isfinite(upper) ||
-      (logarithmic && lower <= 0)) {
-    throw ReportError(fmt::format("figure '{}': {} {} to {}, expected increasing finite values{}",
-                                  figure.id, name, lower, upper,
-                                  logarithmic ? " above zero for a logarithmic axis" : ""));
-  }
+  require(curve.x.size() == curve.y.size() && fits(curve.y_error) && fits(curve.x_error), name,
+          "equally many x, y, y_error and x_error");
+  require(curve.lower.size() == curve.upper.size() && fits(curve.lower), name,
+          "a ribbon of as many lower and upper values as there are y");
+  require(curve.lower.empty() || !curve.ribbon.empty(), name, "a name of the ribbon");
 }
 
 void check_figure(const Figure& figure) {
+  const std::string name = named("figure", figure.id);
   for (const Curve& curve : figure.curves) check_curve(figure, curve);
-  if (figure.equal_axes && (figure.log_x || figure.log_y))
-    throw ReportError(
-        fmt::format("figure '{}': equal axes, expected none of them logarithmic", figure.id));
-  check_range(figure, "x_range", figure.x_range, figure.log_x);
-  check_range(figure, "y_range", figure.y_range, figure.log_y);
+  require(!figure.equal_axes || (!figure.log_x && !figure.log_y), name,
+          "no logarithmic axis where the axes are equal");
+  for (const auto& [range, logarithmic] :
+       {std::pair{figure.x_range, figure.log_x}, {figure.y_range, figure.log_y}}) {
+    const auto [lower, upper] = range;
+    require(lower == upper || (lower < upper && std::isfinite(lower) && std::isfinite(upper) &&
+                               !(logarithmic && lower <= 0)),
+            name, "ranges of increasing finite values, above zero on a logarithmic axis");
+  }
 }
 
 void check_panel(const FieldFigure& figure, const FieldPanel& panel) {
-  const auto refuse = [&](const std::string& why) {
-    throw ReportError(fmt::format("figure '{}', panel '{}': {}", figure.id, panel.label, why));
-  };
-  if (panel.x.size() != panel.z.size() || panel.x.size() != panel.value.size()) {
-    refuse(fmt::format("{} x, {} z, {} values, expected equally many", panel.x.size(),
-                       panel.z.size(), panel.value.size()));
-  }
-  const std::size_t arrows = panel.arrow_x.size();
-  if (panel.arrow_z.size() != arrows || panel.arrow_u.size() != arrows ||
-      panel.arrow_w.size() != arrows) {
-    refuse(fmt::format("{} arrow_x, {} arrow_z, {} arrow_u, {} arrow_w, expected equally many",
-                       arrows, panel.arrow_z.size(), panel.arrow_u.size(), panel.arrow_w.size()));
-  }
-  for (const auto& [name, value] :
-       {std::pair{"tank_length", panel.tank_length}, std::pair{"tank_height", panel.tank_height},
-        std::pair{"point_width", panel.point_width},
-        std::pair{"point_height", panel.point_height}}) {
-    if (!(value > 0) || !std::isfinite(value))
-      refuse(fmt::format("{} {}, expected a finite length above zero [m]", name, value));
-  }
-  if (panel.outline.size() == 1 || panel.outline.size() == 2)
-    refuse(fmt::format("an outline of {} corners, expected none or three and more",
-                       panel.outline.size()));
+  const std::string name = fmt::format("figure '{}', panel '{}'", figure.id, panel.label);
+  const std::size_t places = panel.x.size(), arrows = panel.arrow_x.size();
+  require(panel.z.size() == places && panel.value.size() == places, name,
+          "equally many x, z and values");
+  require(panel.arrow_z.size() == arrows && panel.arrow_u.size() == arrows &&
+              panel.arrow_w.size() == arrows,
+          name, "equally many arrow_x, arrow_z, arrow_u and arrow_w");
+  for (const double length :
+       {panel.tank_length, panel.tank_height, panel.point_width, panel.point_height})
+    require(length > 0 && std::isfinite(length), name, "finite lengths above zero [m]");
+  require(panel.outline.empty() || panel.outline.size() >= 3, name,
+          "an outline of no corners, or of three and more");
   for (const TankCorner& corner : panel.outline)
-    if (!std::isfinite(corner.x) || !std::isfinite(corner.z))
-      refuse(fmt::format("corner ({}, {}), expected finite lengths [m]", corner.x, corner.z));
-  for (const auto& [name, value] :
-       {std::pair{"angle", panel.angle}, std::pair{"axis_x", panel.axis_x},
-        std::pair{"axis_z", panel.axis_z}}) {
-    if (!std::isfinite(value)) refuse(fmt::format("{} {}, expected a finite value", name, value));
-  }
+    require(std::isfinite(corner.x) && std::isfinite(corner.z), name, "finite corners [m]");
+  require(std::isfinite(panel.angle) && std::isfinite(panel.axis_x) && std::isfinite(panel.axis_z),
+          name, "a finite angle and axis");
 }
 
 void check_field(const FieldFigure& figure) {
-  if (figure.panels.empty()) throw ReportError(fmt::format("figure '{}': no panels", figure.id));
-  if (figure.columns < 1) {
-    throw ReportError(
-        fmt::format("figure '{}': columns {}, expected 1 or more", figure.id, figure.columns));
-  }
-  const std::size_t in_a_row =
-      std::min(static_cast<std::size_t>(figure.columns), figure.panels.size());
-  if (in_a_row > static_cast<std::size_t>(most_columns())) {
-    throw ReportError(fmt::format("figure '{}': {} panels in a row, expected at most {}", figure.id,
-                                  in_a_row, most_columns()));
-  }
-  if (figure.is_animation && figure.panels.size() % static_cast<std::size_t>(figure.columns) != 0)
-    throw ReportError(
-        fmt::format("figure '{}': an animation of {} panels in rows of {}, expected "
-                    "whole rows",
-                    figure.id, figure.panels.size(), figure.columns));
-  if (!(figure.arrow_scale >= 0) || !std::isfinite(figure.arrow_scale)) {
-    throw ReportError(
-        fmt::format("figure '{}': arrow_scale {}, expected 0 (automatic) or metres "
-                    "per metre a second above it",
-                    figure.id, figure.arrow_scale));
-  }
+  const std::string name = named("figure", figure.id);
+  require(!figure.panels.empty() && figure.columns > 0, name, "a panel and a column");
+  const auto columns = static_cast<std::size_t>(figure.columns);
+  require(std::min(columns, figure.panels.size()) <= static_cast<std::size_t>(most_columns()), name,
+          fmt::format("at most {} panels in a row", most_columns()));
+  require(!figure.is_animation || figure.panels.size() % columns == 0, name,
+          "an animation of whole rows");
+  require(figure.arrow_scale >= 0 && std::isfinite(figure.arrow_scale), name,
+          "an arrow_scale of 0 (automatic) or of metres per metre a second");
   const auto [lower, upper] = figure.value_range;
-  if (lower != upper && !is_range(lower, upper)) {
-    throw ReportError(
-        fmt::format("figure '{}': value_range {} to {}, expected increasing finite "
-                    "values, or equal ones for an automatic range",
-                    figure.id, lower, upper));
-  }
+  require(lower == upper || is_range(lower, upper), name,
+          "a value_range of increasing finite values, or of equal ones (automatic)");
   for (const FieldPanel& panel : figure.panels) check_panel(figure, panel);
 }
 
@@ -204,9 +144,7 @@ void check_report(const Report& report) {
     check_id("section", section.id, sections);
     for (const Table& table : section.tables) {
       check_id("table", table.id, tables);
-      check_table(table);
-      check_row_anchors(table, rows);
-      check_reasons(table);
+      check_table(table, rows);
     }
     for (const Figure& figure : section.figures) {
       check_id("figure", figure.id, figures);
@@ -226,14 +164,9 @@ void check_report(const Report& report) {
   for (const Section& section : report.sections)
     for (const Table& table : section.tables) check_links(table, anchors);
   const Link& decides = report.decision.row;
-  if (!decides.text.empty() && !anchors.contains(decides.anchor))
-    throw ReportError(
-        fmt::format("decided by '{}', which the report does not have", decides.anchor));
-  try {
-    [[maybe_unused]] const auto parsed = nlohmann::json::parse(report.results_json);
-  } catch (const nlohmann::json::parse_error& error) {
-    throw ReportError(fmt::format("results_json is not JSON: {}", error.what()));
-  }
+  require(decides.text.empty() || anchors.contains(decides.anchor), "the decision",
+          "an anchor of the report, not '" + decides.anchor + "'");
+  require(nlohmann::json::accept(report.results_json), "results_json", "JSON");
 }
 
 }  // namespace slosh::reports

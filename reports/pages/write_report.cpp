@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "reports/model/report_files.hpp"
 #include "reports/pages/check_report.hpp"
-#include "reports/pages/draw_report.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/templates.hpp"
 #include "verification/files/content_hash.hpp"
@@ -21,6 +22,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Draws each figure once and writes it to the directory as <id>.svg, or as <id>.png for a field and
+// <id>.gif for an animation. A field takes seconds, a figure a tenth of a second: the long ones are
+// drawn first.
+Drawings draw_report(const Report& report, const WriteOptions& options, const fs::path& scratch,
+                     const fs::path& directory) {
+  Drawings drawings;
+  std::vector<std::function<void()>> fields, figures;
+  const auto draw = [&](const Figure& figure, DrawnFigure& drawn) {
+    figures.emplace_back([&] {
+      drawn = draw_figure(figure, scratch, options.gnuplot);
+      write_text(directory / (figure.id + ".svg"), svg_element(figure, drawn, SvgPlace::own_file));
+    });
+  };
+  std::size_t field_count = 0, figure_count = 0;
+  for (const Section& section : report.sections) {
+    field_count += section.fields.size();
+    figure_count += section.figures.size();
+  }
+  drawings.fields.resize(field_count);
+  drawings.figures.resize(figure_count);
+  drawings.glances.resize(report.pages.size());
+  auto drawn_field = drawings.fields.begin();
+  auto drawn_figure = drawings.figures.begin();
+  for (const Section& section : report.sections) {
+    for (const Figure& figure : section.figures) draw(figure, *drawn_figure++);
+    for (const FieldFigure& figure : section.fields)
+      fields.emplace_back([&, &drawn = *drawn_field++] {
+        drawn = draw_field(figure, scratch, options.gnuplot);
+        write_text(directory / picture_file(figure), drawn.picture);
+      });
+  }
+  for (std::size_t i = 0; i < report.pages.size(); ++i)
+    if (report.pages[i].glance) draw(*report.pages[i].glance, drawings.glances[i]);
+  std::ranges::move(figures, std::back_inserter(fields));
+  side_by_side(fields.size(), options.threads, [&](std::size_t i) { fields[i](); });
+  return drawings;
+}
+
 void write_files(const Report& report, const Drawings& drawings, const fs::path& directory) {
   for (const HtmlFile& file : html_pages(report, drawings))
     write_text(directory / file.name, file.text);
@@ -28,7 +67,9 @@ void write_files(const Report& report, const Drawings& drawings, const fs::path&
     for (const Table& table : section.tables)
       if (rows_on_page(table) < table.rows.size()) {
         fs::create_directories(directory / "tables");
-        write_text(directory / table_file(table), csv_of(table));
+        std::string text = csv_line(table.header);
+        for (const auto& row : table.rows) text += csv_line(row);
+        write_text(directory / table_file(table), text);
       }
   write_text(directory / "results.json", report.results_json);
   write_text(directory / "results.schema.json", results_schema);
@@ -63,6 +104,18 @@ void replace_pages(const fs::path& complete, const fs::path& target) {
 
 }  // namespace
 
+Report with_legible_figures(Report report) {
+  for (Section& section : report.sections)
+    for (Figure& figure : section.figures) {
+      const std::size_t count = figure.curves.size();
+      if (count <= most_curves) continue;
+      figure.curves.resize(most_curves);
+      figure.caption += fmt::format("{}The first {} of {} curves are drawn.",
+                                    figure.caption.empty() ? "" : " ", most_curves, count);
+    }
+  return report;
+}
+
 void write_report(const Report& given, const fs::path& directory, const WriteOptions& options) try {
   check_report(given);
   const Report report = with_legible_figures(given);
@@ -79,8 +132,7 @@ void write_report(const Report& given, const fs::path& directory, const WriteOpt
   const fs::path scratch = temporary.path() / "drawing";
   fs::create_directory(scratch);
   fs::create_directories(complete / "figures");
-  const Drawings drawings =
-      draw_report(report, options.threads, options.gnuplot, scratch, complete / "figures");
+  const Drawings drawings = draw_report(report, options, scratch, complete / "figures");
   write_files(report, drawings, complete);
   replace_pages(complete, target);
 } catch (const fs::filesystem_error& error) {

@@ -4,12 +4,19 @@
 // all are there, the first page and the data last.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 
 #include "reports/drawing/run_gnuplot.hpp"
 #include "reports/model/report_model.hpp"
 
 namespace slosh::reports {
+
+// A figure of more curves cannot be read.
+inline constexpr std::size_t most_curves = 24;
+
+// Returns the report with the first most_curves of each figure; its caption says how many it lacks.
+Report with_legible_figures(Report report);
 
 struct WriteOptions {
   int threads = 1;  // for drawing, each with a gnuplot process of its own

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
-#include "reports/figures/run_looks.hpp"
+#include "reports/figures/figure_runs.hpp"
 #include "reports/summary/report_sections.hpp"
 
 namespace slosh {
@@ -28,8 +27,10 @@ std::vector<double> places(std::size_t column, std::size_t count) {
 }
 
 Curve ratios_of(const PredictionSet& set, std::size_t column, const reports::Look& look) {
-  Curve points{set.model, places(column, set.predictions.size()), {}, {}, Curve::Style::points};
-  points.look = look;
+  Curve points{.label = set.model,
+               .x = places(column, set.predictions.size()),
+               .style = Curve::Style::points,
+               .look = look};
   for (const auto& one : set.predictions) {
     points.y.push_back(one.value.predicted / one.value.reference);
     // An interval that the fits do not tell has no bar.
@@ -42,12 +43,13 @@ Curve ratios_of(const PredictionSet& set, std::size_t column, const reports::Loo
 Curve bias_of(const PredictionSet& set, std::size_t column, const reports::Look& look) {
   const double bias = set.bias->bias, width = 2 * set.bias->relative_deviation * bias,
                middle = static_cast<double>(column), half = column_half_width + 0.06;
-  Curve line{"", {middle - half, middle + half}, {bias, bias}, {}, Curve::Style::line};
-  line.look = look;
-  line.lower = {bias - width, bias - width};
-  line.upper = {bias + width, bias + width};
-  line.ribbon = "bias ± 2 standard deviations of the model";
-  return line;
+  return {.label = "",
+          .x = {middle - half, middle + half},
+          .y = {bias, bias},
+          .lower = {bias - width, bias - width},
+          .upper = {bias + width, bias + width},
+          .ribbon = "bias ± 2 standard deviations of the model",
+          .look = look};
 }
 
 // `sets` are of one kind of quantity, each with a bias.
@@ -55,20 +57,23 @@ Figure ratio_figure(const std::vector<const PredictionSet*>& sets) {
   std::vector<std::string> models;
   for (const PredictionSet* set : sets) models.push_back(set->model);
   const std::vector<reports::Look> looks = looks_of_models(models);
+  const std::string& kind = sets.front()->kind;
   const double last = static_cast<double>(sets.size()) - 0.5;
-  Figure figure;
-  figure.id = "bias-" + sets.front()->kind + "-ratio";
-  std::replace(figure.id.begin(), figure.id.end(), ' ', '-');
-  figure.title = fmt::format("Predicted {} divided by the reference's", sets.front()->kind);
-  figure.caption =
-      "Each point is one comparison, in the order of the cases; 1 is perfect agreement. Bars: 95 % "
-      "interval of the ratio, from the fits of both series and the record's uncertainty. Shaded: "
-      "the model's bias with two relative standard deviations to either side.";
-  figure.x_label = "models, each with its number of comparisons";
-  figure.y_label = "predicted / reference [1]";
-  figure.x_range = {-0.5, last};
-  figure.curves.push_back({"perfect agreement", {-0.5, last}, {1, 1}, {}, Curve::Style::line});
-  figure.curves[0].look = reports::Look{true, 0, 0};
+  Figure figure{
+      .id = "bias-" + kind + "-ratio",
+      .title = fmt::format("Predicted {} divided by the reference's", kind),
+      .caption =
+          "Each point is one comparison, in the order of the cases; 1 is perfect agreement. Bars: "
+          "95 % interval of the ratio, from the fits of both series and the record's uncertainty. "
+          "Shaded: the model's bias with two relative standard deviations to either side.",
+      .x_label = "models, each with its number of comparisons",
+      .y_label = "predicted / reference [1]",
+      .x_range = {-0.5, last},
+      .curves = {{.label = "perfect agreement",
+                  .x = {-0.5, last},
+                  .y = {1, 1},
+                  .look = reports::Look{true, 0, 0}}}};
+  std::ranges::replace(figure.id, ' ', '-');
   for (std::size_t i = 0; i < sets.size(); ++i) {
     figure.x_ticks.emplace_back(i, fmt::format("n = {}", sets[i]->predictions.size()));
     figure.curves.push_back(bias_of(*sets[i], i, looks[i]));
@@ -84,8 +89,7 @@ reports::Table bias_table(const std::vector<PredictionSet>& sets) {
                        "deviations: that of the model after subtracting that of the reference, and "
                        "that of the reference.",
                        {"quantity", "model", "comparisons", "bias δ", "σ of the model [%]",
-                        "σ of the reference [%]"},
-                       {}};
+                        "σ of the reference [%]"}};
   for (const PredictionSet& set : sets)
     if (set.bias)
       table.rows.push_back({set.kind, set.model, fmt::format("{}", set.bias->count),
@@ -93,16 +97,6 @@ reports::Table bias_table(const std::vector<PredictionSet>& sets) {
                             fmt::format("{:.2f}", 100 * set.bias->relative_deviation),
                             fmt::format("{:.2f}", 100 * set.bias->reference_deviation)});
   return table;
-}
-
-std::string too_few_text(const std::vector<PredictionSet>& sets) {
-  std::vector<std::string> few;
-  for (const PredictionSet& set : sets)
-    if (!set.bias)
-      few.push_back(fmt::format("{} of {} ({})", set.kind, set.model, set.predictions.size()));
-  return few.empty() ? ""
-                     : fmt::format("Too few comparisons, fewer than {}, to state a bias: {}.",
-                                   fewest_comparisons, fmt::join(few, "; "));
 }
 
 }  // namespace
@@ -116,35 +110,37 @@ reports::Section bias_section(const std::vector<PredictionSet>& sets) {
        "every case is compared with theory in its range or with a record: amplitudes of the fitted "
        "modes, down to a tenth of the reference's largest, and natural frequencies. Gauges and "
        "modes of one run are not independent of each other, so the numbers describe only this set "
-       "of comparisons."},
-      {},
-      {}};
-  if (const std::string text = too_few_text(sets); !text.empty())
-    section.paragraphs.push_back(text);
+       "of comparisons."}};
+  std::vector<std::string> few;
+  for (const PredictionSet& set : sets)
+    if (!set.bias)
+      few.push_back(fmt::format("{} of {} ({})", set.kind, set.model, set.predictions.size()));
+  if (!few.empty())
+    section.paragraphs.push_back(
+        fmt::format("Too few comparisons, fewer than {}, to state a bias: {}.", fewest_comparisons,
+                    fmt::join(few, "; ")));
   if (sets.empty())
     section.paragraphs.push_back(
         "No case of this campaign compares a fitted mode with theory or a record.");
-  if (std::none_of(sets.begin(), sets.end(), [](const auto& set) { return set.bias.has_value(); }))
+  if (std::ranges::none_of(sets, [](const auto& set) { return set.bias.has_value(); }))
     return section;
   section.tables.push_back(bias_table(sets));
-  const auto draw = [&section](const std::vector<const PredictionSet*>& alike) {
-    for (std::size_t begin = 0; begin < alike.size(); begin += most_models) {
-      const std::size_t end = std::min(begin + most_models, alike.size());
-      section.figures.push_back(ratio_figure({alike.begin() + static_cast<std::ptrdiff_t>(begin),
-                                              alike.begin() + static_cast<std::ptrdiff_t>(end)}));
-      if (begin > 0) section.figures.back().id += fmt::format("-{}", begin / most_models + 1);
-    }
+  std::vector<const PredictionSet*> alike;  // of one figure
+  std::size_t figures_of_kind = 0;
+  const auto draw = [&] {
+    section.figures.push_back(ratio_figure(alike));
+    if (++figures_of_kind > 1) section.figures.back().id += fmt::format("-{}", figures_of_kind);
+    alike.clear();
   };
-  std::vector<const PredictionSet*> alike;
+  std::string kind;
   for (const PredictionSet& set : sets) {
     if (!set.bias) continue;
-    if (!alike.empty() && alike.front()->kind != set.kind) {
-      draw(alike);
-      alike.clear();
-    }
+    if (!alike.empty() && (kind != set.kind || alike.size() == most_models)) draw();
+    if (kind != set.kind) figures_of_kind = 0;
+    kind = set.kind;
     alike.push_back(&set);
   }
-  draw(alike);
+  draw();
   return section;
 }
 

@@ -8,13 +8,12 @@
 #include <utility>
 
 #include "reports/figures/case_figures.hpp"
-#include "reports/figures/glance_figure.hpp"
 #include "reports/figures/paper_panels.hpp"
 #include "reports/model/report_files.hpp"
 #include "reports/summary/headline.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
-#include "reports/summary/worst_first.hpp"
+#include "reports/summary/shown_rows.hpp"
 #include "reports/wording/report_places.hpp"
 #include "sph/threads.hpp"
 #include "verification/assessment/campaign_cost.hpp"
@@ -33,28 +32,22 @@ using reports::Section;
 
 // The first page: the departures case by case, error against run time, the gate rows worst first,
 // bias and scatter of the models. `sentences` are shown unchanged.
-std::vector<reports::Section> summary_sections(const std::vector<CaseAssessment>& cases,
-                                               const std::vector<ProblemAssessment>& problems,
-                                               const std::string& sentences) {
-  reports::Section gate{"gate", "Verdicts", {sentences}, {}, {}};
-  reports::Table lines = headline_table(headline_lines(cases, problems));
-  if (lines.rows.empty())
+std::vector<Section> summary_sections(const std::vector<CaseAssessment>& cases,
+                                      const std::vector<ProblemAssessment>& problems,
+                                      const std::vector<HeadlineLine>& lines,
+                                      const std::string& sentences) {
+  Section gate{"gate", "Verdicts", {sentences}};
+  if (lines.empty())
     gate.paragraphs.push_back("The campaign has no gate row that was judged.");
   else
-    gate.tables.push_back(std::move(lines));
+    gate.tables.push_back(headline_table(lines));
   for (const CaseAssessment& one : cases)
     if (auto figure = speed_figure(one)) gate.figures.push_back(std::move(*figure));
-  std::vector<reports::Section> sections{std::move(gate)};
+  std::vector<Section> sections{std::move(gate)};
   if (reports::Table worst = worst_first_table(cases, problems); !worst.rows.empty())
-    sections.push_back({"worst", "Gate rows, worst first", {}, {std::move(worst)}, {}});
+    sections.push_back({"worst", "Gate rows, worst first", {}, {std::move(worst)}});
   if (!cases.empty()) sections.push_back(bias_section(prediction_sets(cases)));
   return sections;
-}
-
-bool has_selected(const std::vector<ProblemAssessment>& problems) {
-  return std::any_of(problems.begin(), problems.end(), [](const ProblemAssessment& one) {
-    return one.run.status.state != RunState::not_selected;
-  });
 }
 
 // What the rows of the cases detect, for the first page.
@@ -77,23 +70,27 @@ std::string missed_text(const CaseCoverage& covered) {
                         : fmt::format("The rows would not detect: {}.", fmt::join(missed, ", "));
 }
 
+// With regression rows alone a campaign that passes is watched.
+reports::Outcome shown_outcome(int status, const std::vector<HeadlineLine>& lines) {
+  return status == exit_pass && is_only_watched(lines) ? reports::Outcome::watched
+                                                       : outcome_of(status);
+}
+
 // The page has no verdict where no row was judged and no run failed or is missing.
-reports::Page page_of(const CaseAssessment& assessment, const CaseCoverage& coverage) {
-  reports::Page page{page_of_case(assessment.definition.name), assessment.definition.title, "", {}};
+reports::Page page_of(const CaseAssessment& assessment, const CaseCoverage& coverage,
+                      std::vector<HeadlineLine> lines) {
+  const std::string& name = assessment.definition.name;
+  reports::Page page{case_id(name), assessment.definition.title, "", {}};
   page.glance = glance_figure(assessment, worst_candidate(assessment));
   page.remark = missed_text(coverage);
   if (std::string doubt = doubtful_runs(assessment.definition, assessment.runs); !doubt.empty())
     page.doubts.push_back(std::move(doubt));
+  std::erase_if(lines, [&](const auto& line) { return line.section != case_id(name) + "-gate"; });
   const std::vector<CaseAssessment> alone{assessment};
   const Standing standing = standing_of(alone);
-  const bool judged =
-      std::any_of(standing.verdicts.begin(), standing.verdicts.end(), [](Verdict verdict) {
-        return verdict != Verdict::not_selected && verdict != Verdict::not_supplied;
-      });
-  if (!judged && !standing.run_failed && !standing.left_open) return page;
+  if (lines.empty() && !standing.run_failed && !standing.left_open) return page;
   page.verdict = verdict_sentence(alone);
-  page.outcome =
-      is_only_watched(alone) ? reports::Outcome::watched : outcome_of(exit_status(standing));
+  page.outcome = shown_outcome(exit_status(standing), lines);
   return page;
 }
 
@@ -114,7 +111,7 @@ reports::Page appendix_page(const CaseDefinition& definition) {
           definition.title + ": further figures and tables",
           "",
           {},
-          page_of_case(definition.name)};
+          case_id(definition.name)};
 }
 
 // Adds what the paper says beside our results, to the first page, and its figures redrawn.
@@ -170,18 +167,20 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   const auto origin = provenance("");
   reports::Report report;
   report.title = campaign.title + (quick ? " (quick form)" : "");
-  report.verdict = headline_sentence(cases, problems);
-  report.outcome = is_only_watched(cases, problems) ? reports::Outcome::watched
-                                                    : outcome_of(exit_status(cases, problems));
+  const std::vector<HeadlineLine> lines = headline_lines(cases, problems);
+  const std::string verdict = verdict_sentence(cases, problems);
+  report.verdict = lines.empty() ? verdict : headline_sentence(lines);
+  report.outcome = shown_outcome(exit_status(cases, problems), lines);
   report.decision = decision_of(cases, problems);
   report.subtitle = fmt::format("{} · Slosh {} · {}", origin.at("date_utc"),
                                 origin.at("slosh_version"), origin.at("processor"));
   std::vector<std::string> sentences{
-      verdict_sentence(cases, problems) + coverage_sentence(cases), basis_sentence(cases, problems),
+      verdict + coverage_sentence(cases), basis_sentence(cases, problems),
       cost_sentence(cases, problems),
       fmt::format("Repeat this campaign with `{}`. {}.", command, campaign.source)};
   std::erase(sentences, "");
-  report.sections = summary_sections(cases, problems, fmt::format("{}", fmt::join(sentences, " ")));
+  report.sections =
+      summary_sections(cases, problems, lines, fmt::format("{}", fmt::join(sentences, " ")));
   std::vector<WrittenCase> ready(cases.size());
   reports::side_by_side(cases.size(), sph::usable_cores(), [&](std::size_t i) {
     if (has_selected_runs(cases[i])) ready[i] = written(cases[i]);
@@ -189,19 +188,20 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   std::vector<CaseCoverage> covered;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (!has_selected_runs(cases[i])) continue;
-    report.pages.push_back(page_of(cases[i], ready[i].coverage));
+    report.pages.push_back(page_of(cases[i], ready[i].coverage, lines));
     std::ranges::copy(report.pages.back().doubts, std::back_inserter(report.doubts));
     report.pages.push_back(appendix_page(cases[i].definition));
     std::ranges::move(ready[i].sections, std::back_inserter(report.sections));
     covered.push_back(std::move(ready[i].coverage));
   }
   report.coverage = coverage_text(covered);
-  if (has_selected(problems))
-    report.pages.push_back({problems_page, "Verification problems", verdict_sentence({}, problems),
-                            outcome_of(exit_status({}, problems))});
+  const std::size_t before_problems = report.sections.size();
   for (const ProblemAssessment& one : problems)
     if (one.run.status.state != RunState::not_selected)
       report.sections.push_back(problem_section(one));
+  if (report.sections.size() > before_problems)
+    report.pages.push_back({problems_page, "Verification problems", verdict_sentence({}, problems),
+                            outcome_of(exit_status({}, problems))});
   add_across_page(campaign, cases, report);
   report.results_json = results_json(campaign.name, quick, cases, problems, campaign.paper);
   return report;

@@ -8,10 +8,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/summary/report_sections.hpp"
@@ -19,11 +15,8 @@
 #include "reports/wording/case_text.hpp"
 #include "reports/wording/report_places.hpp"
 #include "verification/assessment/across_runs/solution_distances.hpp"
-#include "verification/assessment/case_assessment.hpp"
 #include "verification/assessment/doubts/model_limits.hpp"
 #include "verification/assessment/observed_order.hpp"
-#include "verification/case/case_definition.hpp"
-#include "verification/sensitivity/case_coverage.hpp"
 #include "verification/series/interval_text.hpp"
 
 namespace slosh {
@@ -94,10 +87,7 @@ std::vector<std::string> record_sentences(const CaseAssessment& assessment) {
   return sentences;
 }
 
-// Says which solution stands apart from the others; how the error of each scheme falls with its
-// spacing; how far the runs are from a record that no gate row judges against; and which of the
-// errors that are made on purpose no gate row detects. A sentence is left out where the case has
-// too few runs for it.
+// A sentence is left out where the case has too few runs for it.
 std::vector<std::string> case_findings(const CaseAssessment& assessment,
                                        const CaseCoverage& coverage) {
   std::vector<std::string> findings = order_sentences(assessment);
@@ -110,22 +100,25 @@ std::vector<std::string> case_findings(const CaseAssessment& assessment,
 using reports::Section;
 using reports::Table;
 
-Section section_on(const std::string& page, const std::string& id, const std::string& title) {
-  Section section;
-  section.id = id;
-  section.title = title;
-  section.page = page;
-  return section;
+std::string detection_text(const RowSensitivity& row, Spoiling spoiling) {
+  if (!row.passes_as_it_is) return "does not pass as it is";
+  const auto found = row.detects.find(spoiling);
+  if (found == row.detects.end()) return "not applicable";
+  return found->second ? "detected" : "not detected";
 }
 
-void add(std::optional<Table> table, Section& section) {
-  if (table) section.tables.push_back(std::move(*table));
+Section section_on(const std::string& page, const CaseDefinition& definition, const std::string& id,
+                   const std::string& title) {
+  return {.id = case_id(definition.name) + id, .title = title, .page = page};
+}
+
+void add(Table table, Section& section) {
+  if (!table.rows.empty()) section.tables.push_back(std::move(table));
 }
 
 Section gate_section(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  Section section =
-      section_on(page_of_case(definition.name), case_id(definition.name) + "-gate", "Gate");
+  Section section = section_on(case_id(definition.name), definition, "-gate", "Gate");
   if (definition.gate.empty())
     section.paragraphs.push_back("No gate row judges this case.");
   else
@@ -152,8 +145,7 @@ std::string case_paragraph(const CaseDefinition& definition) {
 
 Section results_section(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  Section section =
-      section_on(page_of_case(definition.name), case_id(definition.name), "Case and runs");
+  Section section = section_on(case_id(definition.name), definition, "", "Case and runs");
   section.paragraphs = {case_paragraph(definition)};
   for (const auto& [run, status] : assessment.runs.status)
     if (status.state == RunState::out_of_range)
@@ -180,47 +172,66 @@ Section tables_section(const CaseAssessment& assessment,
                        const std::vector<RowSensitivity>& sensitivity,
                        const CaseCoverage& coverage) {
   const CaseDefinition& definition = assessment.definition;
-  Section section =
-      section_on(appendix_of_case(definition.name), case_id(definition.name) + "-tables", "Tables");
+  Section section = section_on(appendix_of_case(definition.name), definition, "-tables", "Tables");
   add(uncertainty_table(assessment), section);
-  if (!definition.gate.empty())
-    section.tables.push_back(sensitivity_table(assessment, sensitivity));
-  section.tables.push_back(coverage_table(case_id(definition.name) + "-coverage", {coverage}));
-  add(distance_table(assessment), section);
-  add(refinement_table(assessment), section);
-  add(rest_table(assessment), section);
-  add(impact_table(assessment), section);
-  add(ensemble_table(assessment), section);
-  add(repeat_table(assessment), section);
-  add(ablation_table(assessment), section);
-  add(order_table(assessment), section);
-  if (!assessment.comparisons.empty()) {
-    if (!fitted_modes(definition).empty()) section.tables.push_back(mode_table(assessment));
-    section.tables.push_back(history_table(assessment));
-  }
-  for (Table& table : work_precision_tables(assessment)) section.tables.push_back(std::move(table));
-  section.tables.push_back(cost_table(assessment));
-  if (auto steps = step_table(assessment)) section.tables.push_back(std::move(*steps));
-  section.tables.push_back(terms_table(assessment));
-  section.tables.push_back(provenance_table(assessment));
+  add(sensitivity_table(assessment, sensitivity), section);
+  add(coverage_table(case_id(definition.name) + "-coverage", {coverage}), section);
+  for (const auto& make :
+       {distance_table, refinement_table, rest_table, impact_table, ensemble_table, repeat_table,
+        ablation_table, order_table, mode_table, history_table})
+    add(make(assessment), section);
+  for (Table& table : work_precision_tables(assessment)) add(std::move(table), section);
+  for (const auto& make : {cost_table, step_table, terms_table, provenance_table})
+    add(make(assessment), section);
   return section;
 }
 
 }  // namespace
 
+Table sensitivity_table(const CaseAssessment& assessment,
+                        const std::vector<RowSensitivity>& sensitivity) {
+  Table table = case_table(
+      assessment.definition, "strength", "What each gate row detects",
+      "The row judges its candidate spoiled on purpose: values times 1.1, ten degrees late, off by "
+      "2 % of the fill depth (a pressure: of that under it), with white noise of 10 % of the "
+      "standard deviation, cut short by a fifth of the window, with one sample NaN.",
+      {"row"});
+  for (const Spoiling spoiling : all_spoilings) table.header.push_back(spoiling_name(spoiling));
+  for (const RowSensitivity& one : sensitivity) {
+    table.rows.push_back({short_row_name(one.row)});
+    for (const Spoiling spoiling : all_spoilings)
+      table.rows.back().push_back(detection_text(one, spoiling));
+  }
+  return table;
+}
+
+Table coverage_table(const std::string& id, const std::vector<CaseCoverage>& cases) {
+  Table table{id,
+              "What the rows of each case detect together",
+              "Detected: at least one row of the case that passes as it is does not pass with its "
+              "candidate spoiled. Not applicable: nothing moves the liquid.",
+              {"case", "rows judged", "rows declared"}};
+  append(table.header, names_of_required());
+  for (const CaseCoverage& one : cases) {
+    table.rows.push_back(
+        {one.case_name, std::to_string(one.rows_judged), std::to_string(one.rows_declared)});
+    for (const RequiredDetection& required : required_detections)
+      table.rows.back().push_back(coverage_name(one.detections.at(required.spoiling).coverage));
+  }
+  return table;
+}
+
 std::vector<Section> case_sections(const CaseAssessment& assessment,
                                    const std::vector<RowSensitivity>& sensitivity,
                                    const CaseCoverage& coverage) {
-  const std::string& name = assessment.definition.name;
-  std::vector<Section> sections;
-  Section summary = section_on(page_of_case(name), case_id(name) + "-summary", "Summary");
+  const CaseDefinition& definition = assessment.definition;
+  Section summary = section_on(case_id(definition.name), definition, "-summary", "Summary");
   summary.paragraphs = case_findings(assessment, coverage);
-  summary.figures = {tank_figure(assessment.definition)};
-  sections.push_back(std::move(summary));
-  sections.push_back(gate_section(assessment));
-  sections.push_back(results_section(assessment));
+  summary.figures = {tank_figure(definition)};
+  std::vector<Section> sections{std::move(summary), gate_section(assessment),
+                                results_section(assessment)};
   Section further =
-      section_on(appendix_of_case(name), case_id(name) + "-figures", "Further figures");
+      section_on(appendix_of_case(definition.name), definition, "-figures", "Further figures");
   further.figures = appendix_figures(assessment);
   if (!further.figures.empty()) sections.push_back(std::move(further));
   sections.push_back(tables_section(assessment, sensitivity, coverage));

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <tuple>
+#include <utility>
 
-#include "reports/summary/verdict_matrix.hpp"
+#include "reports/summary/shown_rows.hpp"
 #include "reports/wording/case_text.hpp"
 #include "reports/wording/report_places.hpp"
 #include "verification/assessment/across_runs/speed_ups.hpp"
@@ -17,91 +18,67 @@
 namespace slosh {
 namespace {
 
-// A judged row of a case and how tables show it.
-struct JudgedRow {
-  const GateRow* row;
-  ShownRow shown;
-};
-
-using RowsOfCodes = std::vector<std::pair<std::string, std::vector<JudgedRow>>>;
+using RowsOfCode = std::vector<ShownRow>;  // those that count, the worst first
 
 std::string code_of(const RunDefinition& run) {
   return std::holds_alternative<SphRun>(run.solver) ? "SPH" : family(run);
 }
 
-bool compares(const GateRow& row) { return !row.reference.empty(); }
+bool compares(const ShownRow& row) { return !row.outcome->row.reference.empty(); }
 
-// By code, in the order of the rows, but OpenFOAM's last, as it is the reference of most; of each
-// code the worst row first.
-RowsOfCodes rows_of_codes(const CaseAssessment& assessment) {
-  RowsOfCodes codes;
-  const std::vector<ShownRow> shown = shown_rows(assessment);
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    const GateRow& row = assessment.gate[i].row;
-    if (!shown[i].counts()) continue;
-    const std::string code = code_of(run_named(assessment.definition, row.candidate));
-    auto found = std::find_if(codes.begin(), codes.end(),
-                              [&](const auto& one) { return one.first == code; });
-    if (found == codes.end()) found = codes.insert(found, {code, {}});
-    found->second.push_back({&row, shown[i]});
+// By code, in the order of the rows, but OpenFOAM's last, as it is the reference of most.
+std::vector<RowsOfCode> rows_of_codes(const CaseAssessment& assessment) {
+  std::vector<RowsOfCode> codes;
+  const auto code = [&](const ShownRow& row) {
+    return code_of(run_named(assessment.definition, row.candidate));
+  };
+  for (const ShownRow& row : shown_rows(assessment)) {
+    if (!row.counts()) continue;
+    auto found = std::ranges::find(codes, code(row),
+                                   [&](const RowsOfCode& rows) { return code(rows.front()); });
+    if (found == codes.end()) found = codes.insert(found, RowsOfCode{});
+    found->push_back(row);
   }
-  std::stable_partition(codes.begin(), codes.end(),
-                        [](const auto& one) { return !one.second.front().shown.of_mesh; });
-  for (auto& [code, rows] : codes)
-    std::stable_sort(rows.begin(), rows.end(), [](const JudgedRow& one, const JudgedRow& other) {
-      return is_worse(one.shown, other.shown);
-    });
+  std::ranges::stable_partition(codes,
+                                [](const RowsOfCode& rows) { return !rows.front().of_mesh; });
+  for (RowsOfCode& rows : codes) std::ranges::stable_sort(rows, is_worse);
   return codes;
 }
 
 // The row whose run and reference the line shows.
-const GateRow& featured(const CaseDefinition& definition, const std::vector<JudgedRow>& rows) {
-  const JudgedRow& worst = rows.front();
-  if (worst.shown.verdict != Verdict::pass) return *worst.row;
-  const auto rank = [&](const JudgedRow& one) {
-    return std::tuple(compares(*one.row), one.row->kind == RowKind::validation,
-                      resolution(run_named(definition, one.row->candidate)));
+const GateRow& featured(const CaseDefinition& definition, const RowsOfCode& rows) {
+  if (rows.front().verdict != Verdict::pass) return rows.front().outcome->row;
+  const auto rank = [&](const ShownRow& one) {
+    return std::tuple(compares(one), !one.regression,
+                      resolution(run_named(definition, one.candidate)));
   };
-  return *std::max_element(rows.begin(), rows.end(), [&](const auto& one, const auto& other) {
-            return rank(one) < rank(other);
-          })->row;
+  return std::ranges::max_element(rows, {}, rank)->outcome->row;
 }
 
-// Of rows that all pass.
-std::string standing_of_passing(bool any_validates, bool any_watches) {
-  return any_validates ? "validated" : any_watches ? "watched, not validated" : "limits kept";
-}
-
-std::string standing_name(const std::vector<JudgedRow>& rows) {
-  if (rows.front().shown.verdict != Verdict::pass) return verdict_name(rows.front().shown.verdict);
-  bool validates = false, watches = false;
-  for (const JudgedRow& one : rows) {
-    validates |= !one.shown.regression && compares(*one.row);
-    watches |= one.shown.regression;
-  }
-  return standing_of_passing(validates, watches);
+std::string standing_name(const RowsOfCode& rows) {
+  if (rows.front().verdict != Verdict::pass) return verdict_name(rows.front().verdict);
+  const bool validates = std::ranges::any_of(
+      rows, [](const ShownRow& one) { return !one.regression && (!one.outcome || compares(one)); });
+  const bool watches = std::ranges::any_of(rows, &ShownRow::regression);
+  return validates ? "validated" : watches ? "watched, not validated" : "limits kept";
 }
 
 // The value of the code's row on the metric between the same runs; "" where it has none.
-std::string judged_value(const std::vector<JudgedRow>& rows, const GateRow& pair, Metric metric,
+std::string judged_value(const RowsOfCode& rows, const GateRow& pair, Metric metric,
                          const std::string& mode) {
-  for (const JudgedRow& one : rows)
-    if (one.row->candidate == pair.candidate && one.row->reference == pair.reference &&
-        one.row->quantity == pair.quantity && one.row->metric == metric && one.row->mode == mode &&
-        !one.row->improves_on)
-      return one.shown.found;
+  for (const ShownRow& one : rows) {
+    const GateRow& row = one.outcome->row;
+    if (row.candidate == pair.candidate && row.reference == pair.reference &&
+        row.quantity == pair.quantity && row.metric == metric && row.mode == mode &&
+        !row.improves_on)
+      return std::isfinite(one.value) ? value_text(row, {one.value, one.half_width}) : "";
+  }
   return "";
 }
 
-std::string found_or(const std::string& judged, const Estimate& compared, const char* unit) {
-  if (!judged.empty() || !std::isfinite(compared.value)) return judged;
-  return with_interval(compared, unit);
-}
-
 // What a row judges is shown as it is judged; the rest as the runs compare.
-void add_numbers(const CaseAssessment& assessment, const std::vector<JudgedRow>& rows,
-                 const GateRow& pair, HeadlineLine& line) {
-  if (!compares(pair)) return;
+void add_numbers(const CaseAssessment& assessment, const RowsOfCode& rows, const GateRow& pair,
+                 HeadlineLine& line) {
   const Comparison* found = nullptr;
   for (const Comparison& one : assessment.comparisons)
     if (one.candidate == pair.candidate && one.reference == pair.reference &&
@@ -113,64 +90,58 @@ void add_numbers(const CaseAssessment& assessment, const std::vector<JudgedRow>&
   if (found)
     for (const ModeComparison& one : found->modes)
       if (!mode && one.resolved()) mode = &one;
-  const Estimate none{not_a_number, not_a_number};
   const std::string name = mode ? mode->mode : "forced";
-  line.amplitude = found_or(judged_value(rows, pair, Metric::amplitude_error, name),
-                            mode ? mode->amplitude_error : none, "1");
-  const std::string lag = judged_value(rows, pair, Metric::cross_correlation_lag, "whole");
-  line.lag = lag.empty() ? found_or(judged_value(rows, pair, Metric::phase_lag, name),
-                                    mode ? mode->phase_lag_degrees : none, "deg")
-                         : lag;
-  line.rms = found_or(judged_value(rows, pair, Metric::normalised_rms, "whole"),
-                      found ? found->normalised_rms : none, "1");
+  const auto number = [&](Metric metric, const std::string& of_mode, const Estimate* compared,
+                          const char* unit) {
+    const std::string judged = judged_value(rows, pair, metric, of_mode);
+    const bool is_compared = judged.empty() && compared && std::isfinite(compared->value);
+    return is_compared ? with_interval(*compared, unit) : judged;
+  };
+  line.amplitude =
+      number(Metric::amplitude_error, name, mode ? &mode->amplitude_error : nullptr, "1");
+  line.lag = judged_value(rows, pair, Metric::cross_correlation_lag, "whole");
+  if (line.lag.empty())
+    line.lag = number(Metric::phase_lag, name, mode ? &mode->phase_lag_degrees : nullptr, "deg");
+  line.rms = number(Metric::normalised_rms, "whole", found ? &found->normalised_rms : nullptr, "1");
 }
 
 // The worst row, or of rows that pass the one nearest to its limit.
-const ShownRow& deciding(const std::vector<JudgedRow>& rows) {
-  const auto nearest = std::find_if(
-      rows.begin(), rows.end(), [](const JudgedRow& one) { return one.shown.share.has_value(); });
-  return rows.front().shown.verdict == Verdict::pass && nearest != rows.end() ? nearest->shown
-                                                                              : rows.front().shown;
+const ShownRow& deciding(const RowsOfCode& rows) {
+  const auto nearest =
+      std::ranges::find_if(rows, [](const ShownRow& one) { return one.share.has_value(); });
+  return rows.front().verdict == Verdict::pass && nearest != rows.end() ? *nearest : rows.front();
 }
 
-HeadlineLine line_of(const CaseAssessment& assessment, const std::vector<JudgedRow>& rows) {
+HeadlineLine line_of(const CaseAssessment& assessment, const RowsOfCode& rows) {
   const CaseDefinition& definition = assessment.definition;
   const GateRow& pair = featured(definition, rows);
   const ShownRow& decides = deciding(rows);
   HeadlineLine line{
       .name = definition.name,
-      .verdict = rows.front().shown.verdict,
+      .verdict = rows.front().verdict,
       .standing = standing_name(rows),
       .candidate = short_text(run_named(definition, pair.candidate)),
-      .reference = compares(pair) ? short_text(run_named(definition, pair.reference)) : "",
-      .amplitude = {},
-      .lag = {},
-      .rms = {},
+      .reference = pair.reference.empty() ? "" : short_text(run_named(definition, pair.reference)),
       .decides = fmt::format("{}, {}: {}", decides.candidate, decides.metric_text, decides.message),
       .row_id = decides.row_id,
       .section = case_id(definition.name) + "-gate"};
-  if (is_judged(line.verdict)) add_numbers(assessment, rows, pair, line);
+  if (is_judged(line.verdict) && !pair.reference.empty()) add_numbers(assessment, rows, pair, line);
   return line;
 }
 
 // A problem has no run of a code but one of SPH.
 void add_problem(const ProblemAssessment& assessment, std::vector<HeadlineLine>& lines) {
-  std::vector<ShownRow> rows = shown_rows({assessment});
+  RowsOfCode rows = shown_rows(assessment);
   std::erase_if(rows, [](const ShownRow& row) { return !row.counts(); });
   if (rows.empty()) return;
-  const ShownRow& worst = *std::min_element(rows.begin(), rows.end(), is_worse);
-  const bool validates =
-      std::any_of(rows.begin(), rows.end(), [](const ShownRow& row) { return !row.regression; });
+  std::ranges::stable_sort(rows, is_worse);
+  const ShownRow& worst = rows.front();
   lines.push_back(
       {.name = worst.name,
        .verdict = worst.verdict,
-       .standing = worst.verdict == Verdict::pass ? standing_of_passing(validates, !validates)
-                                                  : verdict_name(worst.verdict),
+       .standing = standing_name(rows),
        .candidate = "SPH",
        .reference = "the exact solution",
-       .amplitude = {},
-       .lag = {},
-       .rms = {},
        .decides = fmt::format("{} of {}: {}", worst.metric_text, worst.candidate, worst.message),
        .row_id = worst.row_id,
        .section = "problem-" + worst.name});
@@ -193,32 +164,22 @@ int count(const std::vector<CaseAssessment>& cases, const std::vector<ProblemAss
   return n;
 }
 
-int pairs_not_comparable(const std::vector<CaseAssessment>& cases) {
-  int n = 0;
-  for (const CaseAssessment& one : cases) n += static_cast<int>(one.not_comparable.size());
-  return n;
-}
-
 }  // namespace
 
 std::vector<HeadlineLine> headline_lines(const std::vector<CaseAssessment>& cases,
                                          const std::vector<ProblemAssessment>& problems) {
   std::vector<HeadlineLine> lines;
   for (const CaseAssessment& one : cases)
-    for (const auto& [code, rows] : rows_of_codes(one)) lines.push_back(line_of(one, rows));
+    for (const RowsOfCode& rows : rows_of_codes(one)) lines.push_back(line_of(one, rows));
   for (const ProblemAssessment& one : problems) add_problem(one, lines);
   return lines;
 }
 
-bool is_only_watched(const std::vector<CaseAssessment>& cases,
-                     const std::vector<ProblemAssessment>& problems) {
-  const std::vector<HeadlineLine> lines = headline_lines(cases, problems);
-  const auto is = [](const char* standing) {
-    return [=](const HeadlineLine& line) { return line.standing == standing; };
+bool is_only_watched(const std::vector<HeadlineLine>& lines) {
+  const auto any = [&](const char* standing) {
+    return std::ranges::find(lines, standing, &HeadlineLine::standing) != lines.end();
   };
-  return exit_status(cases, problems) == exit_pass &&
-         std::any_of(lines.begin(), lines.end(), is("watched, not validated")) &&
-         std::none_of(lines.begin(), lines.end(), is("validated"));
+  return any("watched, not validated") && !any("validated");
 }
 
 bool has_numbers(const HeadlineLine& line) {
@@ -242,6 +203,9 @@ std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
     return count(cases, verdict) + count(problems, verdict);
   };
   const auto runs = [&](RunState state) { return count(cases, problems, state); };
+  int not_comparable = 0;
+  for (const CaseAssessment& one : cases)
+    not_comparable += static_cast<int>(one.not_comparable.size());
   const int passed = rows(Verdict::pass);
   const int judged = passed + rows(Verdict::violated) + rows(Verdict::inconclusive) +
                      rows(Verdict::solver_failed) + rows(Verdict::not_compared);
@@ -252,7 +216,7 @@ std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
   add(rows(Verdict::violated), "violated");
   add(rows(Verdict::inconclusive), "inconclusive");
   add(rows(Verdict::not_compared), "not compared");
-  add(pairs_not_comparable(cases), "pair not comparable", "pairs not comparable");
+  add(not_comparable, "pair not comparable", "pairs not comparable");
   add(runs(RunState::failed), "run failed", "runs failed");
   add(runs(RunState::missing), "run without a result", "runs without a result");
   add(runs(RunState::not_supplied), "record not supplied", "records not supplied");
@@ -261,26 +225,19 @@ std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
   return text + ".";
 }
 
-std::string headline_sentence(const std::vector<CaseAssessment>& cases,
-                              const std::vector<ProblemAssessment>& problems) {
-  const std::vector<HeadlineLine> lines = headline_lines(cases, problems);
-  if (lines.empty()) return verdict_sentence(cases, problems);
-  const auto rank = [](const HeadlineLine& line) {
+std::string headline_sentence(const std::vector<HeadlineLine>& lines) {
+  const HeadlineLine& first = *std::ranges::max_element(lines, {}, [](const HeadlineLine& line) {
     return std::pair(severity(line.verdict), line.standing == "validated");
-  };
-  const HeadlineLine& first = *std::max_element(
-      lines.begin(), lines.end(),
-      [&](const auto& one, const auto& other) { return rank(one) < rank(other); });
+  });
   std::vector<std::string> texts{line_text(first)};
   for (const HeadlineLine& line : lines)
     if (line.name == first.name && line.row_id != first.row_id) texts.push_back(line_text(line));
   return fmt::format("{}.", fmt::join(texts, "; "));
 }
 
-std::string headline_word(int status, const std::vector<CaseAssessment>& cases,
-                          const std::vector<ProblemAssessment>& problems) {
-  const bool is_watched = status == exit_pass && is_only_watched(cases, problems);
-  return is_watched ? "WATCHED, NOT VALIDATED" : headline_word(status);
+std::string headline_word(int status, const std::vector<HeadlineLine>& lines) {
+  return status == exit_pass && is_only_watched(lines) ? "WATCHED, NOT VALIDATED"
+                                                       : headline_word(status);
 }
 
 reports::Table headline_table(const std::vector<HeadlineLine>& lines) {
@@ -290,8 +247,7 @@ reports::Table headline_table(const std::vector<HeadlineLine>& lines) {
       "A line for each case and code: its finest run that a row compares, or the one that a row "
       "objects to. Intervals are of 95 %. A case with regression rows alone is watched: it departs "
       "no further than earlier, which validates nothing.",
-      {"case", "candidate", "reference", "amplitude", "lag", "rms", "standing", "decides"},
-      {}};
+      {"case", "candidate", "reference", "amplitude", "lag", "rms", "standing", "decides"}};
   for (const HeadlineLine& line : lines) {
     table.rows.push_back({line.name, line.candidate, line.reference, line.amplitude, line.lag,
                           line.rms, line.standing, line.decides});

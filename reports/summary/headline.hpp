@@ -18,7 +18,7 @@ struct HeadlineLine {
   Verdict verdict;                   // the worst of the code's rows
   std::string standing;              // standing_name()
   std::string candidate, reference;  // "SPH at 5 mm", "linear theory"; the latter may be empty
-  std::string amplitude, lag, rms;   // with their intervals; empty where there is none
+  std::string amplitude = {}, lag = {}, rms = {};  // with their intervals; empty for none
   std::string decides;  // the row that is nearest to its limit or worst, and its result
   std::string row_id;   // of that row (report_places.hpp)
   std::string section;  // of the case or the problem
@@ -30,10 +30,9 @@ std::vector<HeadlineLine> headline_lines(const std::vector<CaseAssessment>& case
 
 bool has_numbers(const HeadlineLine& line);
 
-// Whether all judged rows pass, some of them are regression rows, and none compares with a
-// reference for validation: what was found earlier is watched, and nothing is validated.
-bool is_only_watched(const std::vector<CaseAssessment>& cases,
-                     const std::vector<ProblemAssessment>& problems = {});
+// Of rows that all pass: whether some are regression rows, and none compares with a reference for
+// validation. What was found earlier is watched, and nothing is validated.
+bool is_only_watched(const std::vector<HeadlineLine>& lines);
 
 // "SPH at 5 mm against linear theory: amplitude -0.08 ± 0.13 %, lag 0.01 ± 0.08 deg, rms 5.2 ± 1.5
 // %"
@@ -44,14 +43,12 @@ std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
                              const std::vector<ProblemAssessment>& problems = {});
 
 // The lines of the case that decides: the one with the worst verdict, or else the first that is
-// validated. Where no row was judged it is verdict_sentence().
-std::string headline_sentence(const std::vector<CaseAssessment>& cases,
-                              const std::vector<ProblemAssessment>& problems);
+// validated. There must be a line.
+std::string headline_sentence(const std::vector<HeadlineLine>& lines);
 
 // "PASS", "WATCHED, NOT VALIDATED" where is_only_watched(), or what headline_word() of a status
 // says.
-std::string headline_word(int status, const std::vector<CaseAssessment>& cases,
-                          const std::vector<ProblemAssessment>& problems);
+std::string headline_word(int status, const std::vector<HeadlineLine>& lines);
 
 // The table of all lines; its rows link to the rows that decide.
 reports::Table headline_table(const std::vector<HeadlineLine>& lines);

@@ -66,8 +66,7 @@ reports::Table campaigns_table(const std::vector<RecordedCampaign>& campaigns) {
       "campaigns",
       "Verdicts of the campaigns",
       "Each line is the last report of a campaign in this directory.",
-      {"verdict", "campaign", "form", "gate rows judged", "gate rows that hold", "report"},
-      {}};
+      {"verdict", "campaign", "form", "gate rows judged", "gate rows that hold", "report"}};
   for (const RecordedCampaign& one : campaigns)
     table.rows.push_back({status_word(one.exit_status), one.name, one.is_quick ? "quick" : "whole",
                           std::to_string(one.rows), std::to_string(one.passed),
@@ -187,7 +186,7 @@ reports::Report report_of_campaigns(const std::vector<RecordedCampaign>& campaig
                                campaigns.size() + left_out.size(), passed, rows);
   report.outcome = outcome_of(status);
   report.subtitle = fmt::format("{} · Slosh {}", origin.at("date_utc"), origin.at("slosh_version"));
-  reports::Section verdicts{"campaigns", "Verdicts", {}, {campaigns_table(campaigns)}, {}};
+  reports::Section verdicts{"campaigns", "Verdicts", {}, {campaigns_table(campaigns)}};
   if (!left_out.empty())
     verdicts.paragraphs.push_back(
         fmt::format("Left out, as they could not be read: {}.", fmt::join(left_out, "; ")));

@@ -13,14 +13,9 @@
 
 namespace slosh {
 
-// The tables of a case's gate sensitivity: the spoilings that each row detects, and those that the
-// rows detect together.
-
-// One line per row, one column per spoiling.
+// The spoilings that each row detects, and those that the rows of each case detect together.
 reports::Table sensitivity_table(const CaseAssessment& assessment,
                                  const std::vector<RowSensitivity>& sensitivity);
-
-// One line per case, one column per required detection.
 reports::Table coverage_table(const std::string& id, const std::vector<CaseCoverage>& cases);
 
 // The sections of a case: on its page what its tables find, its gate, the case in words and its
@@ -40,7 +35,6 @@ reports::Section problem_section(const ProblemAssessment& assessment);
 reports::Section bias_section(const std::vector<PredictionSet>& sets);
 
 // The cost to reach an error in core-seconds and in memory.
-// Tables without a row are left out.
 std::vector<reports::Table> work_precision_tables(const CaseAssessment& assessment);
 
 }  // namespace slosh

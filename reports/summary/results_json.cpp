@@ -1,8 +1,11 @@
 #include "reports/summary/results_json.hpp"
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
-#include "reports/summary/verdict_matrix.hpp"
+#include "reports/summary/shown_rows.hpp"
 #include "verification/assessment/campaign_cost.hpp"
 #include "verification/assessment/error_over_tolerance.hpp"
 #include "verification/assessment/predictions.hpp"
@@ -16,16 +19,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Null for an absent value and for an empty text.
+template <class Value>
+Json json_or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+Json json_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
 // The settings of an SPH run; a number of its scheme that it does not set is null.
 Json sph_entry(const SphRun& sph) {
   Json numbers = Json::object();
   for (const auto& [name, number] : sph_number_names)
-    numbers[name] = sph.numbers.*number ? Json(*(sph.numbers.*number)) : Json(nullptr);
+    numbers[name] = json_or_null(sph.numbers.*number);
   return {{"scheme", sph.scheme},
           {"particle_spacing_m", sph.particle_spacing},
           {"surface_particle_spacing_m", sph.surface_particle_spacing},
-          {"variant", sph.variant.empty() ? Json(nullptr) : Json(sph.variant)},
-          {"initial_state", sph.initial_state.empty() ? Json(nullptr) : Json(sph.initial_state)},
+          {"variant", json_or_null(sph.variant)},
+          {"initial_state", json_or_null(sph.initial_state)},
           {"expected_speed", sph.speed_from_coarse_run ? "coarse_run" : "estimate"},
           {"start_disorder", sph.start_disorder},
           {"start_seed", sph.start_disorder > 0 ? Json(sph.start_seed) : Json(nullptr)},
@@ -117,59 +127,17 @@ Json field_entry(const FieldComparison& pair, const CaseDefinition& definition) 
   return {{"candidate", pair.candidate}, {"reference", pair.reference}, {"moments", moments}};
 }
 
-}  // namespace
-
-Json comparison_entry(const Comparison& pair) {
-  Json modes = Json::array();
-  for (const ModeComparison& mode : pair.modes)
-    modes.push_back({{"mode", mode.mode},
-                     {"resolved", mode.resolved()},
-                     {"candidate_amplitude", estimate_json(mode.candidate.amplitude)},
-                     {"reference_amplitude", estimate_json(mode.reference.amplitude)},
-                     {"amplitude_error", estimate_json(mode.amplitude_error)},
-                     {"phase_lag_s", estimate_json(mode.phase_lag)},
-                     {"phase_lag_deg", estimate_json(mode.phase_lag_degrees)},
-                     {"phase_lag_periods", estimate_json(mode.phase_lag_periods)},
-                     {"frequency_error", estimate_json(mode.frequency_error)},
-                     {"decay_rate_1_s", estimate_json(mode.decay_rate)},
-                     {"reference_decay_rate_1_s", estimate_json(mode.reference.decay_rate)}});
-  return {{"candidate", pair.candidate},
-          {"reference", pair.reference},
-          {"quantity", pair.quantity},
-          {"unit", pair.unit},
-          {"window_begin_s", pair.window.begin},
-          {"window_end_s", pair.window.end},
-          {"normalised_rms", estimate_json(pair.normalised_rms)},
-          {"mean_offset", pair.candidate_wave.mean - pair.reference_wave.mean},
-          {"normalised_rms_without_offset", normalised_rms_without_offset(pair)},
-          {"maximum_residual", pair.maximum_residual},
-          {"cross_correlation_lag_s", pair.cross_correlation_lag},
-          {"time_lag_s", pair.alignment.lag},
-          {"aligned_rms", pair.alignment.normalised_rms},
-          {"sprague_geers_magnitude", estimate_json(pair.sprague_geers_magnitude)},
-          {"sprague_geers_phase", estimate_json(pair.sprague_geers_phase)},
-          {"candidate_peaks", peaks(pair.candidate_peaks)},
-          {"reference_peaks", peaks(pair.reference_peaks)},
-          {"modes", modes}};
-}
-
-namespace {
 Json share_entry(const std::optional<ErrorOverTolerance>& share) {
   return share ? Json(share->value) : Json(nullptr);
-}
-
-// Returns null where the half width is unknown.
-Json half_width(const Contribution& contribution) {
-  return contribution.half_width ? Json(*contribution.half_width) : Json(nullptr);
 }
 
 Json uncertainty_entry(const ThreeWayOutcome& judged) {
   const UncertaintyContributions& of = judged.contributions;
   return {{"all", judged.uncertainty},
-          {"time_history", half_width(of.time_series)},
-          {"reference", half_width(of.reference)},
-          {"discretisation", half_width(of.discretisation)},
-          {"input", half_width(of.input)},
+          {"time_history", json_or_null(of.time_series.half_width)},
+          {"reference", json_or_null(of.reference.half_width)},
+          {"discretisation", json_or_null(of.discretisation.half_width)},
+          {"input", json_or_null(of.input.half_width)},
           {"rests_on",
            {{"reference", of.reference.basis},
             {"discretisation", of.discretisation.basis},
@@ -181,7 +149,7 @@ Json gate_entry(const GateOutcome& outcome) {
   Json entry{{"verdict", verdict_name(outcome.verdict)},
              {"kind", kind_name(row.kind)},
              {"candidate", row.candidate},
-             {"reference", row.reference.empty() ? Json(nullptr) : Json(row.reference)},
+             {"reference", json_or_null(row.reference)},
              {"quantity", row.quantity},
              {"mode", row.mode},
              {"metric", metric_name(row.metric)},
@@ -210,9 +178,9 @@ Json measure_entry(const MeasuredErrors& measure) {
   Json errors = Json::array();
   for (const auto& [step, error] : measure.errors)
     errors.push_back({{"step", step}, {"error", error}});
-  const std::optional<double> order = order_of(measure.errors);
-  return {
-      {"name", measure.name}, {"order", order ? Json(*order) : Json(nullptr)}, {"errors", errors}};
+  return {{"name", measure.name},
+          {"order", json_or_null(order_of(measure.errors))},
+          {"errors", errors}};
 }
 
 Json gate_entry(const ProblemGateOutcome& outcome) {
@@ -252,20 +220,36 @@ Json problem_entry(const ProblemAssessment& one) {
   return entry;
 }
 
-Json matrix_entry(const VerdictMatrix& matrix, const char* of) {
+// The verdicts at a glance: an entry for each case, or problem, pair of candidate and reference,
+// and metric, with the worst of its rows. The pairs stand in the order of the rows, the metrics in
+// that of their names.
+template <class Assessment>
+Json matrix_json(const std::vector<Assessment>& assessed, const char* of) {
   Json list = Json::array();
-  for (const MatrixRow& row : matrix.rows)
-    for (const auto& [metric, cell] : row.cells)
-      list.push_back({{of, row.name},
-                      {"candidate", row.candidate},
-                      {"reference", row.reference.empty() ? Json(nullptr) : Json(row.reference)},
-                      {"metric", metric},
-                      {"verdict", verdict_name(cell.worst.verdict)},
-                      {"value", cell.worst.value},
-                      {"half_width_95", cell.worst.half_width},
-                      {"unit", cell.worst.unit},
-                      {"tolerance_share", share_entry(cell.worst.share)},
-                      {"rows", cell.rows}});
+  for (const Assessment& one : assessed) {
+    std::vector<ShownRow> first_of_pairs;
+    std::map<std::pair<std::string, std::string>, std::map<std::string, std::vector<ShownRow>>>
+        rows_of;
+    for (const ShownRow& row : shown_rows(one)) {
+      if (!rows_of.contains({row.candidate, row.reference})) first_of_pairs.push_back(row);
+      rows_of[{row.candidate, row.reference}][row.metric].push_back(row);
+    }
+    for (const ShownRow& first : first_of_pairs)
+      for (const auto& [metric, rows] : rows_of[{first.candidate, first.reference}]) {
+        const ShownRow& worst = *std::ranges::min_element(rows, is_worse);
+        list.push_back({{of, first.name},
+                        {"candidate", first.candidate},
+                        {"reference", json_or_null(first.outcome ? first.outcome->row.reference
+                                                                 : first.reference)},
+                        {"metric", metric},
+                        {"verdict", verdict_name(worst.verdict)},
+                        {"value", worst.value},
+                        {"half_width_95", worst.half_width},
+                        {"unit", worst.unit},
+                        {"tolerance_share", share_entry(worst.share)},
+                        {"rows", rows.size()}});
+      }
+  }
   return list;
 }
 
@@ -284,6 +268,44 @@ Json claims_json(const std::string& paper, const std::vector<CaseAssessment>& ca
 }
 
 }  // namespace
+
+Json estimate_json(const Estimate& value) {
+  return {{"value", value.value}, {"half_width_95", value.half_width}};
+}
+
+Json comparison_entry(const Comparison& pair) {
+  Json modes = Json::array();
+  for (const ModeComparison& mode : pair.modes)
+    modes.push_back({{"mode", mode.mode},
+                     {"resolved", mode.resolved()},
+                     {"candidate_amplitude", estimate_json(mode.candidate.amplitude)},
+                     {"reference_amplitude", estimate_json(mode.reference.amplitude)},
+                     {"amplitude_error", estimate_json(mode.amplitude_error)},
+                     {"phase_lag_s", estimate_json(mode.phase_lag)},
+                     {"phase_lag_deg", estimate_json(mode.phase_lag_degrees)},
+                     {"phase_lag_periods", estimate_json(mode.phase_lag_periods)},
+                     {"frequency_error", estimate_json(mode.frequency_error)},
+                     {"decay_rate_1_s", estimate_json(mode.decay_rate)},
+                     {"reference_decay_rate_1_s", estimate_json(mode.reference.decay_rate)}});
+  return {{"candidate", pair.candidate},
+          {"reference", pair.reference},
+          {"quantity", pair.quantity},
+          {"unit", pair.unit},
+          {"window_begin_s", pair.window.begin},
+          {"window_end_s", pair.window.end},
+          {"normalised_rms", estimate_json(pair.normalised_rms)},
+          {"mean_offset", pair.candidate_wave.mean - pair.reference_wave.mean},
+          {"normalised_rms_without_offset", normalised_rms_without_offset(pair)},
+          {"maximum_residual", pair.maximum_residual},
+          {"cross_correlation_lag_s", pair.cross_correlation_lag},
+          {"time_lag_s", pair.alignment.lag},
+          {"aligned_rms", pair.alignment.normalised_rms},
+          {"sprague_geers_magnitude", estimate_json(pair.sprague_geers_magnitude)},
+          {"sprague_geers_phase", estimate_json(pair.sprague_geers_phase)},
+          {"candidate_peaks", peaks(pair.candidate_peaks)},
+          {"reference_peaks", peaks(pair.reference_peaks)},
+          {"modes", modes}};
+}
 
 nlohmann::ordered_json bias_json(const PredictionSet& set) {
   Json predictions = Json::array();
@@ -319,8 +341,8 @@ std::string results_json(const std::string& campaign, bool quick,
                 {"quick", quick},
                 {"exit_status", exit_status(cases, problems)},
                 {"core_seconds_s", campaign_cost(cases, problems).core_seconds},
-                {"verdict_matrix", matrix_entry(verdict_matrix(shown_rows(cases)), "case")},
-                {"problem_matrix", matrix_entry(verdict_matrix(shown_rows(problems)), "problem")},
+                {"verdict_matrix", matrix_json(cases, "case")},
+                {"problem_matrix", matrix_json(problems, "problem")},
                 {"model_bias", Json::array()},
                 {"cases", Json::array()},
                 {"problems", Json::array()}};
@@ -336,11 +358,8 @@ std::string results_json(const std::string& campaign, bool quick,
     for (const Comparison& pair : one.comparisons)
       entry["comparisons"].push_back(comparison_entry(pair));
     for (const GateOutcome& outcome : one.gate) entry["gate"].push_back(gate_entry(outcome));
-    if (!one.fields.empty()) {
-      entry["fields"] = Json::array();
-      for (const FieldComparison& pair : one.fields)
-        entry["fields"].push_back(field_entry(pair, one.definition));
-    }
+    for (const FieldComparison& pair : one.fields)
+      entry["fields"].push_back(field_entry(pair, one.definition));
     entry["work_precision"] = work_precision_json(one);
     document["cases"].push_back(std::move(entry));
   }

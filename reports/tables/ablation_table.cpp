@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "reports/tables/case_tables.hpp"
-#include "reports/wording/report_places.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/series/interval_text.hpp"
@@ -14,30 +13,31 @@ namespace slosh {
 namespace {
 
 struct AblationRun {
-  const RunDefinition* run;
+  std::string name;
   const SphRun* sph;
   const RunResult* result;       // null where the run left none
   const Comparison* comparison;  // against theory or a record; null where there is none
+  std::string changes;
 };
 
 std::vector<AblationRun> ablation_runs(const CaseAssessment& assessment) {
   std::vector<AblationRun> runs;
-  for (const RunDefinition& run : assessment.definition.runs) {
-    const SphRun* sph = std::get_if<SphRun>(&run.solver);
-    if (!sph || is_later_member(run)) continue;
-    const auto found = assessment.runs.results.find(run.name);
-    runs.push_back({&run, sph, found == assessment.runs.results.end() ? nullptr : &found->second,
-                    comparison_with_truth(assessment, run.name)});
-  }
+  for (const RunDefinition& run : assessment.definition.runs)
+    if (const SphRun* sph = std::get_if<SphRun>(&run.solver); sph && !is_later_member(run))
+      runs.push_back({run.name, sph, find_result(assessment.runs, run.name),
+                      comparison_with_truth(assessment, run.name), changes_of(*sph)});
   return runs;
 }
 
-// Returns the unchanged run of the same scheme and spacing, null where the case has none.
-const AblationRun* unchanged(const std::vector<AblationRun>& runs, const SphRun& sph) {
-  const auto found = std::find_if(runs.begin(), runs.end(), [&](const AblationRun& other) {
-    return other.sph->scheme == sph.scheme && other.sph->particle_spacing == sph.particle_spacing &&
-           other.sph->surface_particle_spacing == sph.surface_particle_spacing &&
-           changes_of(*other.sph).empty();
+// Returns the unchanged run of the same scheme and spacing; null for an unchanged run, and where
+// the case has none.
+const AblationRun* unchanged(const std::vector<AblationRun>& runs, const AblationRun& one) {
+  if (one.changes.empty()) return nullptr;
+  const auto found = std::ranges::find_if(runs, [&](const AblationRun& other) {
+    return other.sph->scheme == one.sph->scheme &&
+           other.sph->particle_spacing == one.sph->particle_spacing &&
+           other.sph->surface_particle_spacing == one.sph->surface_particle_spacing &&
+           other.changes.empty();
   });
   return found == runs.end() ? nullptr : &*found;
 }
@@ -58,24 +58,22 @@ constexpr const char* terms_of_numbers[] = {"kernel: h / spacing", "state: c0 / 
                                             "density diffusion: delta"};
 static_assert(std::size(terms_of_numbers) == std::size(sph_number_names));
 
-std::vector<std::string> terms_besides(const RunResult& one, const RunResult& other) {
-  std::vector<std::string> terms;
-  for (const std::string& term : one.active_terms)
-    if (std::find(other.active_terms.begin(), other.active_terms.end(), term) ==
-        other.active_terms.end())
-      terms.push_back(term);
-  return terms;
+// "quintic kernel and viscosity": the terms that only the one result has.
+std::string terms_besides(const RunResult& one, const RunResult& other) {
+  TableRow terms = one.active_terms;
+  std::erase_if(terms, [&](const std::string& term) {
+    return std::ranges::find(other.active_terms, term) != other.active_terms.end();
+  });
+  return fmt::format("{}", fmt::join(terms, " and "));
 }
 
 // Returns the terms that a run has added, left out or replaced against the unchanged run, and the
 // terms that its changed numbers belong to.
 std::string changed_terms(const AblationRun& one, const AblationRun* plain) {
-  std::vector<std::string> texts;
+  TableRow texts;
   if (plain && plain->result && one.result) {
-    const auto brought = terms_besides(*one.result, *plain->result);
-    const auto left_out = terms_besides(*plain->result, *one.result);
-    const std::string with = fmt::format("{}", fmt::join(brought, " and "));
-    const std::string without = fmt::format("{}", fmt::join(left_out, " and "));
+    const std::string with = terms_besides(*one.result, *plain->result),
+                      without = terms_besides(*plain->result, *one.result);
     if (!with.empty() && !without.empty())
       texts.push_back(with + " instead of " + without);
     else if (!with.empty() || !without.empty())
@@ -89,11 +87,11 @@ std::string changed_terms(const AblationRun& one, const AblationRun* plain) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-// Returns a measure of a fitted mode; empty where the mode was not fitted.
-std::string mode_cell(const Comparison& comparison, const std::string& name,
+// Returns a measure of the first fitted mode of a kind; empty where none was fitted.
+std::string mode_cell(const Comparison& comparison, const std::string& kind,
                       Estimate ModeComparison::*measure, double scale) {
   for (const ModeComparison& mode : comparison.modes) {
-    if (mode.mode != name) continue;
+    if (!mode.mode.starts_with(kind)) continue;
     if (!mode.resolved()) return "not resolved";
     const Estimate& estimate = mode.*measure;
     return interval_text({scale * estimate.value, scale * estimate.half_width});
@@ -101,18 +99,9 @@ std::string mode_cell(const Comparison& comparison, const std::string& name,
   return "";
 }
 
-// The first of several modes of a kind.
-std::string first_mode(const Comparison& comparison, const std::string& kind) {
-  for (const ModeComparison& mode : comparison.modes)
-    if (mode.mode.starts_with(kind)) return mode.mode;
-  return kind;
-}
-
-std::vector<std::string> error_cells(const AblationRun& one, const AblationRun* plain) {
-  if (!one.comparison) return {"", "", "", "", "", "", ""};
+TableRow error_cells(const AblationRun& one, const AblationRun* plain) {
+  if (!one.comparison) return TableRow(7);
   const Comparison& comparison = *one.comparison;
-  const std::string forced = first_mode(comparison, "forced"),
-                    natural = first_mode(comparison, "natural");
   const bool same_reference =
       plain && plain->comparison && plain->comparison->reference == comparison.reference;
   return {comparison.reference,
@@ -120,17 +109,16 @@ std::vector<std::string> error_cells(const AblationRun& one, const AblationRun* 
           same_reference
               ? ratio(comparison.normalised_rms.value, plain->comparison->normalised_rms.value)
               : "",
-          mode_cell(comparison, forced, &ModeComparison::amplitude_error, 100),
-          mode_cell(comparison, forced, &ModeComparison::phase_lag_degrees, 1),
-          mode_cell(comparison, natural, &ModeComparison::frequency_error, 100),
-          mode_cell(comparison, natural, &ModeComparison::decay_rate, 1)};
+          mode_cell(comparison, "forced", &ModeComparison::amplitude_error, 100),
+          mode_cell(comparison, "forced", &ModeComparison::phase_lag_degrees, 1),
+          mode_cell(comparison, "natural", &ModeComparison::frequency_error, 100),
+          mode_cell(comparison, "natural", &ModeComparison::decay_rate, 1)};
 }
 
-std::vector<std::string> cost_cells(const AblationRun& one, const AblationRun* plain,
-                                    double duration) {
-  if (!one.result) return {"", "", "", "", ""};
+TableRow cost_cells(const AblationRun& one, const AblationRun* plain, double duration) {
+  if (!one.result) return TableRow(5);
   const RunCost& cost = one.result->cost;
-  const double time = one.result->cost.core_seconds();
+  const double time = cost.core_seconds();
   return {fmt::format("{:.2f}", time),
           plain && plain->result ? ratio(time, plain->result->cost.core_seconds()) : "",
           fmt::format("{}", cost.steps),
@@ -140,35 +128,29 @@ std::vector<std::string> cost_cells(const AblationRun& one, const AblationRun* p
 
 }  // namespace
 
-std::optional<reports::Table> ablation_table(const CaseAssessment& assessment) {
-  const std::vector<AblationRun> runs = ablation_runs(assessment);
-  const bool any_changed = std::any_of(runs.begin(), runs.end(), [](const AblationRun& one) {
-    return !changes_of(*one.sph).empty();
-  });
-  const bool any_compared =
-      std::any_of(runs.begin(), runs.end(), [](const AblationRun& one) { return one.comparison; });
-  if (!any_changed || !any_compared) return std::nullopt;
-  reports::Table table{
-      case_id(assessment.definition.name) + "-choices",
-      "Ablation: effect and cost of each change to a scheme",
+reports::Table ablation_table(const CaseAssessment& assessment) {
+  const CaseDefinition& definition = assessment.definition;
+  reports::Table table = case_table(
+      definition, "choices", "Ablation: effect and cost of each change to a scheme",
       "The error of each SPH run against theory or a published record, and its cost. \"over "
       "unchanged\": ratio to the unchanged run of the same scheme and spacing. CPU time is user "
       "plus system time; peak memory is that of the whole process.",
       {"run", "scheme", "spacing [mm]", "change", "affected terms", "reference",
        "normalised rms [%]", "rms over unchanged", "forced amplitude error [%]", "forced lag [deg]",
        "natural frequency error [%]", "decay rate [1/s]", "CPU time [s]", "CPU time over unchanged",
-       "steps", "CPU time [us per particle and simulated s]", "peak memory [byte per particle]"},
-      {}};
+       "steps", "CPU time [us per particle and simulated s]", "peak memory [byte per particle]"});
+  const std::vector<AblationRun> runs = ablation_runs(assessment);
+  const auto is_changed = [](const AblationRun& one) { return !one.changes.empty(); };
+  const auto is_compared = [](const AblationRun& one) { return one.comparison != nullptr; };
+  if (std::ranges::none_of(runs, is_changed) || std::ranges::none_of(runs, is_compared))
+    return table;
   for (const AblationRun& one : runs) {
-    const std::string changes = changes_of(*one.sph);
-    const AblationRun* plain = changes.empty() ? nullptr : unchanged(runs, *one.sph);
-    std::vector<std::string> row{one.run->name, one.sph->scheme, spacing_text(*one.sph),
-                                 changes.empty() ? "unchanged" : changes,
-                                 changed_terms(one, plain)};
-    for (const auto& cells :
-         {error_cells(one, plain), cost_cells(one, plain, assessment.definition.duration)})
-      row.insert(row.end(), cells.begin(), cells.end());
-    if (!one.result) row[5] = state_name(assessment.runs.status.at(one.run->name).state);
+    const AblationRun* plain = unchanged(runs, one);
+    TableRow row{one.name, one.sph->scheme, spacing_text(*one.sph),
+                 one.changes.empty() ? "unchanged" : one.changes, changed_terms(one, plain)};
+    append(row, error_cells(one, plain));
+    append(row, cost_cells(one, plain, definition.duration));
+    if (!one.result) row[5] = state_name(assessment.runs.status.at(one.name).state);
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "reports/tables/case_tables.hpp"
@@ -31,28 +33,26 @@ Pairs transposed(const Pairs& pairs) {
   return turned;
 }
 
-std::vector<double> values_of(const std::vector<Estimate>& estimates) {
-  std::vector<double> values;
-  for (const Estimate& estimate : estimates) values.push_back(estimate.value);
-  return values;
-}
-
 // The standard deviation, over the members of one side, of the mean over the other side.
 std::string spread_text(const Pairs& pairs, const std::string& unit) {
   if (pairs.size() < 2) return "single run";
   std::vector<double> means;
-  for (const auto& of_member : pairs) means.push_back(mean(values_of(of_member)));
+  for (const std::vector<Estimate>& of_member : pairs) {
+    std::vector<double> values;
+    for (const Estimate& estimate : of_member) values.push_back(estimate.value);
+    means.push_back(mean(values));
+  }
   const double n = static_cast<double>(means.size());
   return in_unit(rms(without_mean(means)) * std::sqrt(n / (n - 1)), unit);
 }
 
-std::vector<std::string> line_of(const GateOutcome& outcome, const Pairs& pairs) {
+TableRow ensemble_row(const GateOutcome& outcome, const Pairs& pairs) {
   const GateRow& row = outcome.row;
   double least = outcome.value.value, most = least;
   for (const auto& of_candidate : pairs)
-    for (const double value : values_of(of_candidate)) {
-      least = std::min(least, value);
-      most = std::max(most, value);
+    for (const Estimate& estimate : of_candidate) {
+      least = std::min(least, estimate.value);
+      most = std::max(most, estimate.value);
     }
   return {row_name(row),
           fmt::format("{} x {}", pairs.size(), pairs.front().size()),
@@ -63,22 +63,17 @@ std::vector<std::string> line_of(const GateOutcome& outcome, const Pairs& pairs)
           verdict_name(outcome.verdict)};
 }
 
-void add_paths(const std::vector<RefinedMetric>& paths, const GateRow& row, Table& table) {
-  for (const RefinedMetric& path : paths) {
-    std::vector<std::string> values;
-    for (const ValueAtStep& one : path.values) values.push_back(in_unit(one.value, row.unit));
-    std::vector<std::string> line{
-        path.path,
-        fmt::format("{}, {}", row.candidate, metric_text(row)),
-        fmt::format("{}", fmt::join(path.runs, ", ")),
-        fmt::format("{}", fmt::join(values, ", ")),
-        path.values.size() == 2 ? "two values" : behaviour_name(path.found.behaviour),
-        observed_order_text(path.found),
-        in_unit(path.found.extrapolated, row.unit),
-        "± " + in_unit(path.found.uncertainty, row.unit)};
-    if (std::find(table.rows.begin(), table.rows.end(), line) == table.rows.end())
-      table.rows.push_back(std::move(line));
-  }
+TableRow path_row(const RefinedMetric& path, const GateRow& row) {
+  TableRow values;
+  for (const ValueAtStep& one : path.values) values.push_back(in_unit(one.value, row.unit));
+  return {path.path,
+          fmt::format("{}, {}", row.candidate, metric_text(row)),
+          fmt::format("{}", fmt::join(path.runs, ", ")),
+          fmt::format("{}", fmt::join(values, ", ")),
+          path.values.size() == 2 ? "two values" : behaviour_name(path.found.behaviour),
+          observed_order_text(path.found),
+          in_unit(path.found.extrapolated, row.unit),
+          "± " + in_unit(path.found.uncertainty, row.unit)};
 }
 
 std::string half_width_text(const Contribution& contribution, const std::string& unit) {
@@ -87,15 +82,14 @@ std::string half_width_text(const Contribution& contribution, const std::string&
 
 std::string contributions_text(const ThreeWayOutcome& judged, const std::string& unit) {
   const UncertaintyContributions& of = judged.contributions;
-  std::vector<std::string> parts;
-  const auto add = [&](const char* name, const Contribution& one) {
-    if (!one.half_width) parts.push_back(fmt::format("{} unknown", name));
-    if (one.known() != 0) parts.push_back(fmt::format("{} {}", name, in_unit(one.known(), unit)));
-  };
-  add("time series", of.time_series);
-  add("reference", of.reference);
-  add("discretisation", of.discretisation);
-  add("input", of.input);
+  TableRow parts;
+  for (const auto& [name, one] : {std::pair{"time series", &of.time_series},
+                                  {"reference", &of.reference},
+                                  {"discretisation", &of.discretisation},
+                                  {"input", &of.input}}) {
+    if (!one->half_width) parts.push_back(fmt::format("{} unknown", name));
+    if (one->known() != 0) parts.push_back(fmt::format("{} {}", name, in_unit(one->known(), unit)));
+  }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -127,29 +121,24 @@ std::string reference_text(const GateRow& row) {
 
 std::vector<Table> gate_tables(const CaseAssessment& assessment) {
   const std::string& name = assessment.definition.name;
-  Table first{
-      case_id(name) + "-gate",
-      "Gate rows that do not pass, or are in doubt",
+  Table open = case_table(
+      assessment.definition, "gate", "Gate rows that do not pass, or are in doubt",
       "A row does not pass where a value is NaN, a series ends early, or the reference is "
       "missing or out of its range. The reason for a limit is told once where the rows that "
       "follow have the same, and at each judged row that does not pass.",
-      {"verdict", "candidate", "reference", "metric", "result"},
-      {}};
-  Table passing = first;
+      {"verdict", "candidate", "reference", "metric", "result"});
+  Table passing = open;
   passing.id += "-passing";
   passing.title = "Gate rows that pass";
   passing.is_folded = true;
   std::vector<std::size_t> worst_first(assessment.gate.size());
   std::iota(worst_first.begin(), worst_first.end(), 0);
-  std::stable_sort(worst_first.begin(), worst_first.end(), [&](std::size_t a, std::size_t b) {
-    return severity(assessment.gate[a].verdict) > severity(assessment.gate[b].verdict);
-  });
+  std::ranges::stable_sort(worst_first, std::greater(),
+                           [&](std::size_t i) { return severity(assessment.gate[i].verdict); });
   std::string last;
   for (const std::size_t i : worst_first) {
     const GateOutcome& outcome = assessment.gate[i];
-    const bool is_plain =
-        outcome.verdict == Verdict::pass && outcome.remarks.find("doubtful") == std::string::npos;
-    Table& table = is_plain ? passing : first;
+    Table& table = outcome.verdict == Verdict::pass && !outcome.is_doubtful ? passing : open;
     if (table.rows.empty()) last = "";
     table.row_ids.push_back(case_row_id(name, i));
     table.rows.push_back({verdict_name(outcome.verdict), outcome.row.candidate,
@@ -159,37 +148,34 @@ std::vector<Table> gate_tables(const CaseAssessment& assessment) {
     table.reasons.push_back(reason == last && !fails ? "" : reason);
     last = reason;
   }
-  std::vector<Table> tables{std::move(first), std::move(passing)};
+  std::vector<Table> tables{std::move(open), std::move(passing)};
   std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
   return tables;
 }
 
-std::optional<Table> ensemble_table(const CaseAssessment& assessment) {
-  CaseEvidence known(assessment.definition, assessment.runs, &assessment.fitted);
-  Table table{
-      case_id(assessment.definition.name) + "-ensembles",
-      "Ensembles",
+Table ensemble_table(const CaseAssessment& assessment) {
+  Table table = case_table(
+      assessment.definition, "ensembles", "Ensembles",
       "Gate rows judged on ensembles of runs with perturbed initial states: the mean over all "
       "pairs of candidate and reference (of impacts the median over the candidates) with its 95 % "
       "interval (from the scatter of the repeats alone), the standard deviations (sd) over the "
       "candidates and over the "
       "references, and the range of all pairs. Figures show the first member of each ensemble.",
       {"row", "candidates x references", "mean", "sd of candidates", "sd of references", "range",
-       "verdict"},
-      {}};
+       "verdict"});
+  CaseEvidence known(assessment.definition, assessment.runs, &assessment.fitted);
   for (const GateOutcome& outcome : assessment.gate) {
     const GateEvidence evidence = known.over_time_of(outcome.row).gate_evidence();
     if (is_judged(outcome.verdict) && is_of_ensembles(outcome.row, evidence))
-      table.rows.push_back(line_of(outcome, measured_pairs(outcome.row, evidence)));
+      table.rows.push_back(ensemble_row(outcome, measured_pairs(outcome.row, evidence)));
   }
-  if (table.rows.empty()) return std::nullopt;
   return table;
 }
 
 std::string remedy_text(const CaseDefinition& definition, const GateOutcome& outcome) {
   if (outcome.verdict != Verdict::inconclusive || !outcome.judgement) return "";
   const ThreeWayOutcome& judged = *outcome.judgement;
-  std::vector<std::string> ways;
+  TableRow ways;
   if (const auto repeats = longer_window(judged); repeats && is_cost(outcome.row.metric))
     return fmt::format("{:.3g} times as many timings", repeats->factor);
   const std::size_t repeats = members_of(definition, outcome.row.candidate).size();
@@ -216,17 +202,15 @@ std::string uncertainties_text(const ThreeWayOutcome& judged, const std::string&
                      half_width_text(of.reference, unit));
 }
 
-std::optional<Table> uncertainty_table(const CaseAssessment& assessment) {
-  Table table{
-      case_id(assessment.definition.name) + "-uncertainties",
-      "Uncertainties of the gate rows",
+Table uncertainty_table(const CaseAssessment& assessment) {
+  Table table = case_table(
+      assessment.definition, "uncertainties", "Uncertainties of the gate rows",
       "Half widths of 95 % intervals after ASME V&V 20. u_num: discretisation of the candidate; "
       "u_input: inputs taken from the experiment; u_reference: the reference; time series: finite "
       "length of the series and scatter of repeats. The interval of the result combines those "
       "that are known: the root of the sum of their squares.",
       {"row", "kind", "result", "u_num", "u_input", "u_reference", "time series", "basis of u_num",
-       "basis of u_input", "basis of u_reference"},
-      {}};
+       "basis of u_input", "basis of u_reference"});
   for (const GateOutcome& outcome : assessment.gate) {
     if (!outcome.judgement) continue;
     const std::string& unit = outcome.row.unit;
@@ -238,47 +222,44 @@ std::optional<Table> uncertainty_table(const CaseAssessment& assessment) {
          half_width_text(of.reference, unit), half_width_text(of.time_series, unit),
          of.discretisation.basis, of.input.basis, of.reference.basis});
   }
-  if (table.rows.empty()) return {};
   return table;
 }
 
-std::optional<Table> refinement_table(const CaseAssessment& assessment) {
-  Table table{
-      case_id(assessment.definition.name) + "-refinement",
-      "Numerical uncertainty",
+Table refinement_table(const CaseAssessment& assessment) {
+  Table table = case_table(
+      assessment.definition, "refinement", "Numerical uncertainty",
       "Metrics over runs that differ in one number only, coarse to fine. Behaviour, order, "
       "extrapolated value and 95 % uncertainty after Celik et al. 2008 and Eca & Hoekstra 2014. "
       "Two values have no order: the error is estimated from their difference as if it fell with "
       "the first power of the step, and the uncertainty is three times that estimate, but at least "
       "three times the difference.",
-      {"path", "row", "runs", "values", "behaviour", "order", "extrapolated", "uncertainty"},
-      {}};
+      {"path", "row", "runs", "values", "behaviour", "order", "extrapolated", "uncertainty"});
   CaseEvidence known(assessment.definition, assessment.runs, &assessment.fitted);
   for (const GateOutcome& outcome : assessment.gate) {
-    if (!std::isfinite(outcome.value.value) || is_cost(outcome.row.metric) ||
-        is_p_value(outcome.row.metric))
+    const GateRow& row = outcome.row;
+    if (!std::isfinite(outcome.value.value) || is_cost(row.metric) || is_p_value(row.metric))
       continue;  // the cost rests on all runs of a path together, a p-value has no discretisation
-    CaseEvidence& evidence = known.over_time_of(outcome.row);
+    CaseEvidence& evidence = known.over_time_of(row);
     const GateEvidence gate = evidence.gate_evidence();
-    const MeasureRow measure = [&](const GateRow& row) { return measured(row, gate); };
+    const MeasureRow measure = [&](const GateRow& one) { return measured(one, gate); };
     for (const Role role : {Role::candidate, Role::reference})
-      add_paths(refined_metrics(assessment.definition, assessment.runs, outcome.row, role,
-                                {measure, evidence.measure_with_series()})
-                    .paths,
-                outcome.row, table);
+      for (const RefinedMetric& path :
+           refined_metrics(assessment.definition, assessment.runs, row, role,
+                           {measure, evidence.measure_with_series()})
+               .paths)
+        if (TableRow cells = path_row(path, row);
+            std::ranges::find(table.rows, cells) == table.rows.end())
+          table.rows.push_back(std::move(cells));
   }
-  if (table.rows.empty()) return {};
   return table;
 }
 
-std::optional<Table> remedy_table(const CaseAssessment& assessment) {
-  Table table{
-      case_id(assessment.definition.name) + "-remedies",
-      "What would make inconclusive rows conclusive",
+Table remedy_table(const CaseAssessment& assessment) {
+  Table table = case_table(
+      assessment.definition, "remedies", "What would make inconclusive rows conclusive",
       "Half widths of 95 % intervals. The estimate assumes that the value itself stays the same; a "
       "finer or longer run also moves the value, so plan for at least this effort.",
-      {"row", "result", "uncertainty from", "conclusive below", "what would reach it"},
-      {}};
+      {"row", "result", "uncertainty from", "conclusive below", "what would reach it"});
   for (const GateOutcome& outcome : assessment.gate) {
     if (outcome.verdict != Verdict::inconclusive || !outcome.judgement) continue;
     const ThreeWayOutcome& judged = *outcome.judgement;
@@ -287,7 +268,6 @@ std::optional<Table> remedy_table(const CaseAssessment& assessment) {
                           "± " + in_unit(judged.conclusive_uncertainty, outcome.row.unit),
                           remedy_text(assessment.definition, outcome)});
   }
-  if (table.rows.empty()) return {};
   return table;
 }
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <functional>
+#include <optional>
 
 #include "reports/tables/case_tables.hpp"
-#include "reports/wording/report_places.hpp"
 #include "verification/assessment/across_runs/impact_samples.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -17,31 +17,106 @@ namespace slosh {
 namespace {
 
 using reports::Table;
-using Row = std::vector<std::string>;
 using Repeats = std::vector<const RunDefinition*>;
 
 std::string pressure_word(const std::string& quantity) {
   return is_filtered(quantity) ? "filtered" : "unfiltered";
 }
 
-std::string rise_text(const RiseTimesDefinition& published, std::size_t n) {
-  return fmt::format("{:.4f}", published.values[n]) +
-         (published.half_width ? fmt::format(" ± {:.4f}", *published.half_width) : "");
+// The pressure of a run, and the record's where it is supplied.
+struct PressureOfRun {
+  const TimeSeries& pressure;
+  const TimeSeries* record;
+};
+
+// A column that each impact has: its heading before the impact's number, the published cell of the
+// n-th impact, and the cell of a run's peak.
+struct ImpactColumn {
+  std::string heading, unit;
+  std::function<std::string(std::size_t n)> published;
+  std::function<std::string(const PressureOfRun&, const ImpactPeak&, std::size_t n)> found;
+};
+
+// With the difference to expected_time(), unless that needs a record that is not supplied.
+std::string time_cell(const PressureOfRun& of, const ImpactPeak& peak, std::size_t n,
+                      const CaseDefinition& definition) {
+  const std::string time = fmt::format("{:.3f}", peak.time);
+  try {
+    const double expected = expected_time(n, of.pressure, of.record, definition);
+    return time + fmt::format(" ({:+.3f})", round_to_place(peak.time - expected, -3));
+  } catch (const NotSuppliedError&) {
+    return time;
+  }
 }
 
-Row published_row(const ImpactsDefinition& impacts) {
-  const bool has_spread = !impacts.peak_deviations.empty();
-  Row row{"published", has_spread ? "mean ± sd of the repeats" : "as published"};
-  for (std::size_t n = 0; n < impacts.times.size(); ++n) {
-    row.push_back(fmt::format("{:.3f}", impacts.times[n]));
-    row.push_back(has_spread ? fmt::format("{:.0f} ± {:.0f}", impacts.peak_means[n],
-                                           impacts.peak_deviations[n])
-                             : fmt::format("{:.0f}", impacts.peak_means[n]));
-    row.push_back(impacts.rise_times ? rise_text(*impacts.rise_times, n)
-                                     : std::string("not published"));
-    if (impacts.arrivals) row.push_back(fmt::format("{:.4f}", impacts.arrivals->times[n]));
-    if (impacts.impulses) row.push_back(fmt::format("{:.0f}", impacts.impulses->values[n]));
-  }
+// With the difference to the published one, where one is published.
+std::string rise_cell(const TimeSeries& pressure, const ImpactPeak& peak, std::size_t n,
+                      const std::optional<RiseTimesDefinition>& published) {
+  const std::optional<double> rise = rise_time(pressure, peak);
+  if (!rise) return "no rise from half the peak";
+  const std::string text = fmt::format("{:.4f}", *rise);
+  return published
+             ? text + fmt::format(" ({:+.4f})", round_to_place(*rise - published->values[n], -4))
+             : text;
+}
+
+// The functions of the columns throw ComparisonError as arrival_in() and impulse_in() do.
+std::vector<ImpactColumn> impact_columns(const CaseDefinition& definition) {
+  const ImpactsDefinition& impacts = definition.impacts.value();
+  std::vector<ImpactColumn> columns{
+      {"impact", "s", [&](std::size_t n) { return fmt::format("{:.3f}", impacts.times[n]); },
+       [&](const PressureOfRun& of, const ImpactPeak& peak, std::size_t n) {
+         return time_cell(of, peak, n, definition);
+       }},
+      {"peak", "Pa",
+       [&](std::size_t n) {
+         const std::string mean = fmt::format("{:.0f}", impacts.peak_means[n]);
+         return impacts.peak_deviations.empty()
+                    ? mean
+                    : fmt::format("{} ± {:.0f}", mean, impacts.peak_deviations[n]);
+       },
+       [&](const PressureOfRun&, const ImpactPeak& peak, std::size_t n) {
+         return fmt::format("{:.0f} ({})", peak.pressure,
+                            place_among_repeats(definition, n, peak.pressure));
+       }},
+      {"rise", "s",
+       [&](std::size_t n) {
+         if (!impacts.rise_times) return std::string("not published");
+         const auto& [values, half_width] = *impacts.rise_times;
+         return fmt::format("{:.4f}", values[n]) +
+                (half_width ? fmt::format(" ± {:.4f}", *half_width) : "");
+       },
+       [&](const PressureOfRun& of, const ImpactPeak& peak, std::size_t n) {
+         return rise_cell(of.pressure, peak, n, impacts.rise_times);
+       }}};
+  if (impacts.arrivals)
+    columns.push_back(
+        {"arrival", "s",
+         [&](std::size_t n) { return fmt::format("{:.4f}", impacts.arrivals->times[n]); },
+         [&](const PressureOfRun& of, const ImpactPeak&, std::size_t n) -> std::string {
+           const auto arrival = arrival_in(of.pressure, n, definition);
+           if (!arrival) return "no arrival";
+           return fmt::format("{:.4f} ({:+.4f})", *arrival,
+                              round_to_place(*arrival - impacts.arrivals->times[n], -4));
+         }});
+  if (impacts.impulses)
+    columns.push_back(
+        {"impulse", "Pa s",
+         [&](std::size_t n) { return fmt::format("{:.0f}", impacts.impulses->values[n]); },
+         [&](const PressureOfRun& of, const ImpactPeak&, std::size_t n) -> std::string {
+           const auto impulse = impulse_in(of.pressure, n, definition);
+           if (!impulse) return "no arrival";
+           const double error = *impulse / impacts.impulses->values[n] - 1;
+           return fmt::format("{:.0f} ({:+.0f} %)", *impulse, round_to_place(100 * error, 0));
+         }});
+  return columns;
+}
+
+TableRow published_row(const ImpactsDefinition& impacts, const std::vector<ImpactColumn>& columns) {
+  TableRow row{"published",
+               impacts.peak_deviations.empty() ? "as published" : "mean ± sd of the repeats"};
+  for (std::size_t n = 0; n < impacts.times.size(); ++n)
+    for (const ImpactColumn& column : columns) row.push_back(column.published(n));
   if (impacts.plateau > 0) row.push_back(fmt::format("{:.0f}", impacts.plateau));
   return row;
 }
@@ -55,76 +130,25 @@ std::string plateau_cell(const TimeSeries& pressure, const CaseDefinition& defin
   return "not available";
 }
 
-// Returns " (-0.012)", the difference to expected_time(); empty where that needs a record that is
-// not supplied.
-std::string time_difference(double time, std::size_t n, const TimeSeries& pressure,
-                            const TimeSeries* record, const CaseDefinition& definition) try {
-  return fmt::format(" ({:+.3f})",
-                     round_to_place(time - expected_time(n, pressure, record, definition), -3));
-} catch (const NotSuppliedError&) {
-  return "";
-}
-
-// "0.0042 (+0.0012)": the rise time and, where one is published, the difference to it.
-std::string rise_cell(const TimeSeries& pressure, const ImpactPeak& peak, std::size_t n,
-                      const ImpactsDefinition& impacts) {
-  const std::optional<double> rise = rise_time(pressure, peak);
-  if (!rise) return "no rise from half the peak";
-  return fmt::format("{:.4f}", *rise) +
-         (impacts.rise_times
-              ? fmt::format(" ({:+.4f})", round_to_place(*rise - impacts.rise_times->values[n], -4))
-              : "");
-}
-
-// Adds the arrival, with the difference to the published one, and the impulse, with its error, as
-// far as the case publishes them. Throws ComparisonError as arrival_in() and impulse_in() do.
-void add_arrival_cells(const TimeSeries& pressure, std::size_t n, const CaseDefinition& definition,
-                       Row& row) {
-  const ImpactsDefinition& impacts = definition.impacts.value();
-  if (impacts.arrivals) {
-    const std::optional<double> arrival = arrival_in(pressure, n, definition);
-    row.push_back(arrival ? fmt::format("{:.4f} ({:+.4f})", *arrival,
-                                        round_to_place(*arrival - impacts.arrivals->times[n], -4))
-                          : "no arrival");
-  }
-  if (impacts.impulses) {
-    const std::optional<double> found = impulse_in(pressure, n, definition);
-    row.push_back(
-        found ? fmt::format("{:.0f} ({:+.0f} %)", *found,
-                            round_to_place(100 * (*found / impacts.impulses->values[n] - 1), 0))
-              : "no arrival");
-  }
-}
-
-std::size_t cells_of_an_impact(const ImpactsDefinition& impacts) {
-  return 3 + (impacts.arrivals ? 1 : 0) + (impacts.impulses ? 1 : 0);
-}
-
-Row run_row(const CaseAssessment& assessment, const std::string& run, const TimeSeries& pressure) {
+TableRow run_row(const CaseAssessment& assessment, const std::string& run,
+                 const TimeSeries& pressure, const std::vector<ImpactColumn>& columns) {
   const CaseDefinition& definition = assessment.definition;
-  const ImpactsDefinition& impacts = definition.impacts.value();
-  const TimeSeries* record = series_of_record(assessment, pressure.name);
-  Row row{run, pressure_word(pressure.name)};
+  const PressureOfRun of{pressure, series_of_record(assessment, pressure.name)};
+  TableRow row{run, pressure_word(pressure.name)};
   try {
     const auto peaks = impacts_in(pressure, definition);
     for (std::size_t n = 0; n < peaks.size(); ++n) {
-      if (!peaks[n]) {
+      if (!peaks[n])
         row.push_back("no impact");
-        row.resize(2 + cells_of_an_impact(impacts) * (n + 1));
-        continue;
-      }
-      row.push_back(fmt::format("{:.3f}", peaks[n]->time) +
-                    time_difference(peaks[n]->time, n, pressure, record, definition));
-      row.push_back(fmt::format("{:.0f} ({})", peaks[n]->pressure,
-                                place_among_repeats(definition, n, peaks[n]->pressure)));
-      row.push_back(rise_cell(pressure, *peaks[n], n, impacts));
-      add_arrival_cells(pressure, n, definition, row);
+      else
+        for (const ImpactColumn& column : columns) row.push_back(column.found(of, *peaks[n], n));
+      row.resize(2 + columns.size() * (n + 1));
     }
   } catch (const ComparisonError& error) {
     row.push_back(error.what());
-    row.resize(2 + cells_of_an_impact(impacts) * impacts.times.size());
+    row.resize(2 + columns.size() * definition.impacts->times.size());
   }
-  if (impacts.plateau > 0) row.push_back(plateau_cell(pressure, definition));
+  if (definition.impacts->plateau > 0) row.push_back(plateau_cell(pressure, definition));
   return row;
 }
 
@@ -168,11 +192,11 @@ std::string caption(const CaseDefinition& definition) {
 }
 
 // Returns the mean with its 95 % interval, the standard deviation and the central 90 % interval.
-Row moments(const Distribution& peaks) {
+TableRow moments(const Distribution& peaks) {
   const std::size_t count = peaks.sorted().size();
-  const Estimate mean = mean_of_members(peaks.sorted());
-  Row row{interval_text(mean), count < 2 ? std::string("single run")
-                                         : fmt::format("{:.0f}", peaks.standard_deviation())};
+  TableRow row{
+      interval_text(mean_of_members(peaks.sorted())),
+      count < 2 ? std::string("single run") : fmt::format("{:.0f}", peaks.standard_deviation())};
   try {
     const Interval interval = peaks.central_90_percent();
     row.push_back(fmt::format("{:.0f} to {:.0f}", interval.low, interval.high));
@@ -182,41 +206,26 @@ Row moments(const Distribution& peaks) {
   return row;
 }
 
-const Row repeat_columns{"repeats",
-                         "pressure",
-                         "impact",
-                         "occurred in",
-                         "mean [Pa]",
-                         "sd [Pa]",
-                         "central 90 % [Pa]",
-                         "median over the experiment's",
-                         "p (means)",
-                         "p (KS)",
-                         "p (AD)",
-                         "left out (reason)"};
-
-Row experiment_row(const CaseDefinition& definition, std::size_t impact) {
+TableRow experiment_row(const CaseDefinition& definition, std::size_t impact) {
   const ImpactsDefinition& impacts = definition.impacts.value();
-  Row row{"experiment", "as published", fmt::format("{}", impact + 1)};
+  TableRow row{"experiment", "as published", fmt::format("{}", impact + 1)};
   if (impacts.repeats.empty()) {
-    row.insert(row.end(), {"", fmt::format("{:.0f}", impacts.peak_means[impact]),
-                           impacts.peak_deviations.empty()
-                               ? std::string("not published")
-                               : fmt::format("{:.0f}", impacts.peak_deviations[impact]),
-                           "not supplied"});
+    append(row, {"", fmt::format("{:.0f}", impacts.peak_means[impact]),
+                 impacts.peak_deviations.empty()
+                     ? std::string("not published")
+                     : fmt::format("{:.0f}", impacts.peak_deviations[impact]),
+                 "not supplied"});
   } else {
     const Distribution peaks = repeated_peaks(definition, impact);
     row.push_back(fmt::format("{0} of {0}", peaks.sorted().size()));
-    const Row rest = moments(peaks);
-    row.insert(row.end(), rest.begin(), rest.end());
+    append(row, moments(peaks));
   }
-  row.resize(repeat_columns.size());
   return row;
 }
 
 // What the peaks are against those of the experiment's repeats.
-Row against_repeats(const CaseDefinition& definition, const PeakSample& sample,
-                    std::size_t impact) {
+TableRow against_repeats(const CaseDefinition& definition, const PeakSample& sample,
+                         std::size_t impact) {
   if (definition.impacts->repeats.empty()) return {"not supplied"};
   const auto found = against_experiment(definition, sample, impact);
   if (!found) return {"fewer than 20 peaks"};
@@ -224,68 +233,58 @@ Row against_repeats(const CaseDefinition& definition, const PeakSample& sample,
           fmt::format("{:.2g}", found->ks_p.value), fmt::format("{:.2g}", found->ad_p.value)};
 }
 
-Row run_row(const CaseAssessment& assessment, const Repeats& repeats, const std::string& pressure,
-            std::size_t impact) {
-  const CaseDefinition& definition = assessment.definition;
+// Of `columns` cells, the last of which says what is left out.
+TableRow repeats_row(const CaseAssessment& assessment, const Repeats& repeats,
+                     const std::string& pressure, std::size_t impact, std::size_t columns) {
   const PeakSample sample = peak_sample(assessment, repeats, pressure, impact);
-  Row row{fmt::format("{} to {}", repeats.front()->name, repeats.back()->name),
-          pressure_word(pressure), fmt::format("{}", impact + 1),
-          fmt::format("{} of {}", sample.peaks.size(), sample.usable)};
+  TableRow row{fmt::format("{} to {}", repeats.front()->name, repeats.back()->name),
+               pressure_word(pressure), fmt::format("{}", impact + 1),
+               fmt::format("{} of {}", sample.peaks.size(), sample.usable)};
   if (!sample.peaks.empty()) {
-    const Distribution peaks("peaks of " + repeats.front()->name, sample.peaks);
-    for (const Row& part : {moments(peaks), against_repeats(definition, sample, impact)})
-      row.insert(row.end(), part.begin(), part.end());
+    append(row, moments({"peaks of " + repeats.front()->name, sample.peaks}));
+    append(row, against_repeats(assessment.definition, sample, impact));
   }
-  row.resize(repeat_columns.size());
+  row.resize(columns);
   row.back() = fmt::format("{}", fmt::join(sample.left_out, "; "));
   return row;
 }
 
 }  // namespace
 
-std::optional<Table> impact_table(const CaseAssessment& assessment) {
+Table impact_table(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
-  if (!definition.impacts) return std::nullopt;
-  Table table{case_id(definition.name) + "-impacts",
-              "Impacts",
-              caption(definition),
-              {"run", "pressure"},
-              {published_row(*definition.impacts)}};
-  for (std::size_t n = 1; n <= definition.impacts->times.size(); ++n) {
-    table.header.insert(table.header.end(),
-                        {fmt::format("impact {} [s]", n), fmt::format("peak {} [Pa]", n),
-                         fmt::format("rise {} [s]", n)});
-    if (definition.impacts->arrivals) table.header.push_back(fmt::format("arrival {} [s]", n));
-    if (definition.impacts->impulses) table.header.push_back(fmt::format("impulse {} [Pa s]", n));
-  }
-  if (definition.impacts->plateau > 0) table.header.push_back("plateau [Pa]");
-  const auto add_runs = [&](bool records) {
+  if (!definition.impacts) return {};
+  const ImpactsDefinition& impacts = *definition.impacts;
+  const std::vector<ImpactColumn> columns = impact_columns(definition);
+  Table table =
+      case_table(definition, "impacts", "Impacts", caption(definition), {"run", "pressure"});
+  for (std::size_t n = 1; n <= impacts.times.size(); ++n)
+    for (const auto& [heading, unit, published, found] : columns)
+      table.header.push_back(fmt::format("{} {} [{}]", heading, n, unit));
+  if (impacts.plateau > 0) table.header.push_back("plateau [Pa]");
+  table.rows = {published_row(impacts, columns)};
+  for (const bool records : {true, false})
     for (const RunDefinition& run : definition.runs) {
       if (is_record(run) != records) continue;
-      if (!assessment.runs.results.contains(run.name)) {
-        Row row{run.name, state_name(assessment.runs.status.at(run.name).state)};
-        row.resize(table.header.size());
-        table.rows.push_back(std::move(row));
+      const RunResult* result = find_result(assessment.runs, run.name);
+      if (!result) {
+        table.rows.push_back({run.name, state_name(assessment.runs.status.at(run.name).state)});
+        table.rows.back().resize(table.header.size());
         continue;
       }
       for (const std::string& pressure : impact_pressures(definition))
         if (has_series(assessment.runs, run.name, pressure))
-          table.rows.push_back(
-              run_row(assessment, run.name, assessment.runs.results.at(run.name).at(pressure)));
+          table.rows.push_back(run_row(assessment, run.name, result->at(pressure), columns));
     }
-  };
-  add_runs(true);
-  add_runs(false);
   return table;
 }
 
-std::optional<Table> repeat_table(const CaseAssessment& assessment) {
+Table repeat_table(const CaseAssessment& assessment) {
   const CaseDefinition& definition = assessment.definition;
   const auto groups = repeated_runs(definition);
-  if (!definition.impacts || groups.empty()) return std::nullopt;
-  Table table{
-      case_id(definition.name) + "-repeats",
-      "Distribution of peaks over repeated runs",
+  if (!definition.impacts || groups.empty()) return {};
+  Table table = case_table(
+      definition, "repeats", "Distribution of peaks over repeated runs",
       "Impact peaks of runs that differ only in their random seed, by which their starts are "
       "disturbed or their inputs are drawn, and those of the experiment's repeats. The mean has "
       "the 95 % interval of the repeats' scatter. In brackets: the 95 % interval by the bootstrap. "
@@ -294,13 +293,15 @@ std::optional<Table> repeat_table(const CaseAssessment& assessment) {
       "differ as much or more, by Kolmogorov and Smirnov (KS) and by Anderson and Darling (AD); "
       "below 0.05 the samples are told apart. All p are of each test alone; the gate rows correct "
       "them together, by Holm.",
-      repeat_columns,
-      {}};
+      {"repeats", "pressure", "impact", "occurred in", "mean [Pa]", "sd [Pa]", "central 90 % [Pa]",
+       "median over the experiment's", "p (means)", "p (KS)", "p (AD)", "left out (reason)"});
+  const std::size_t columns = table.header.size();
   for (std::size_t impact = 0; impact < definition.impacts->times.size(); ++impact) {
     table.rows.push_back(experiment_row(definition, impact));
+    table.rows.back().resize(columns);
     for (const Repeats& group : groups)
       for (const std::string& pressure : impact_pressures(definition))
-        table.rows.push_back(run_row(assessment, group, pressure, impact));
+        table.rows.push_back(repeats_row(assessment, group, pressure, impact, columns));
   }
   return table;
 }

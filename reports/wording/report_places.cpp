@@ -23,10 +23,8 @@ std::string case_id(const std::string& case_name) {
   return is_taken ? "case-" + case_name : name_id(case_name);
 }
 
-std::string page_of_case(const std::string& case_name) { return case_id(case_name); }
-
 std::string appendix_of_case(const std::string& case_name) {
-  return page_of_case(case_name) + "-appendix";
+  return case_id(case_name) + "-appendix";
 }
 
 std::string case_row_id(const std::string& case_name, std::size_t row) {

@@ -13,12 +13,9 @@ inline constexpr const char* across_page = "across";  // results of several case
 // joins: a - in the name is doubled, so that the parts tell apart what "wave-appendix" names.
 std::string name_id(const std::string& name);
 
-// What the ids of a case's page, sections, tables and figures begin with: its name_id(), or
-// "case-NAME" for a name that something else in the report has.
+// The id of a case's page, with which those of its sections, tables and figures begin: its
+// name_id(), or "case-NAME" for a name that something else in the report has.
 std::string case_id(const std::string& case_name);
-
-// Returns the page of a case.
-std::string page_of_case(const std::string& case_name);
 
 // Returns the page of a case's further figures and tables.
 std::string appendix_of_case(const std::string& case_name);

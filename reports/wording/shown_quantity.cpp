@@ -29,37 +29,10 @@ std::string wall_text(const PressureGaugeDefinition& gauge) {
   if (gauge.at)
     return fmt::format("on the outline {:.3g} m from the left and {:.3g} m above the bottom",
                        gauge.at->x, gauge.at->z);
-  if (gauge.wall == Wall::bottom || gauge.wall == Wall::roof)
-    return fmt::format("on the {} {:.3g} m from the left wall", name_of(gauge.wall, wall_names),
-                       gauge.position);
-  return fmt::format("on the {} wall {:.3g} m above the bottom", name_of(gauge.wall, wall_names),
-                     gauge.position);
-}
-
-std::string sampled(const CaseDefinition& definition) {
-  return fmt::format("Solvers and theory are sampled every {:.3g} s (instantaneous values)",
-                     definition.sample_interval);
-}
-
-std::string sensor_text(const PressureGaugeDefinition& gauge) {
-  return gauge.width > 0 ? fmt::format(", the mean over a sensor of {:.3g} mm along the wall.",
-                                       1000 * gauge.width)
-                         : ", at a point.";
-}
-
-void add_surface_place(const GaugeDefinition& gauge, ShownQuantity& shown) {
-  shown.title += fmt::format(" {:.3g} m from the left wall", gauge.x);
-}
-
-void add_probe_place(const ProbeDefinition& probe, ShownQuantity& shown) {
-  shown.title +=
-      fmt::format(" {:.3g} m from the left wall, {:.3g} m above the bottom", probe.x, probe.z);
-}
-
-void add_sensor(const PressureGaugeDefinition& gauge, bool of_filtered, ShownQuantity& shown) {
-  shown.title += " " + wall_text(gauge);
-  if (gauge.filter_cutoff) shown.title += of_filtered ? ", filtered" : ", unfiltered";
-  shown.what += sensor_text(gauge);
+  const bool is_level = gauge.wall == Wall::bottom || gauge.wall == Wall::roof;
+  return fmt::format("on the {} {:.3g} m {}",
+                     name_of(gauge.wall, wall_names) + std::string(is_level ? "" : " wall"),
+                     gauge.position, is_level ? "from the left wall" : "above the bottom");
 }
 
 // A tank of many metres has elevations in m, and loads and pressures in thousands.
@@ -81,12 +54,6 @@ void suit_the_size(const CaseDefinition& definition, ShownQuantity& shown) {
     }
 }
 
-std::string recorded_text(const CaseDefinition& definition, const PressureGaugeDefinition* filter) {
-  return sampled(definition) + (filter ? "; then the same low-pass filter for all: " +
-                                             low_pass_name(*filter->filter_cutoff) + "."
-                                       : ", and not filtered.");
-}
-
 }  // namespace
 
 ShownQuantity shown_quantity(const CaseDefinition& definition, const std::string& quantity) {
@@ -102,31 +69,42 @@ ShownQuantity shown_quantity(const CaseDefinition& definition, const std::string
                       .theory = known->theory};
   suit_the_size(definition, shown);
   const bool of_filtered = is_filtered(quantity);
+  std::string gauge = known->at == MeasuredAt::tank ? "" : quantity.substr(quantity.find('@') + 1);
+  if (of_filtered) gauge.resize(gauge.size() - filtered.size());
   const PressureGaugeDefinition* sensor = nullptr;
-  if (known->at != MeasuredAt::tank) {
-    std::string gauge = quantity.substr(quantity.find('@') + 1);
-    if (of_filtered) gauge.resize(gauge.size() - filtered.size());
-    switch (known->at) {
-      case MeasuredAt::tank:
-        break;
-      case MeasuredAt::pressure_gauge:
-        sensor = &gauge_named(definition.pressure_gauges, gauge);
-        add_sensor(*sensor, of_filtered, shown);
-        break;
-      case MeasuredAt::surface_gauge:
-        add_surface_place(gauge_named(definition.gauges, gauge), shown);
-        break;
-      case MeasuredAt::probe:
-        add_probe_place(gauge_named(definition.probes, gauge), shown);
-        break;
-      case MeasuredAt::wall:
-        shown.title += gauge == "bottom" || gauge == "roof" ? ", on the " + gauge
-                                                            : ", on the " + gauge + " wall";
-        break;
+  switch (known->at) {
+    case MeasuredAt::tank:
+      break;
+    case MeasuredAt::pressure_gauge:
+      sensor = &gauge_named(definition.pressure_gauges, gauge);
+      shown.title += " " + wall_text(*sensor);
+      if (sensor->filter_cutoff) shown.title += of_filtered ? ", filtered" : ", unfiltered";
+      shown.what += sensor->width > 0
+                        ? fmt::format(", the mean over a sensor of {:.3g} mm along the wall.",
+                                      1000 * sensor->width)
+                        : ", at a point.";
+      break;
+    case MeasuredAt::surface_gauge:
+      shown.title +=
+          fmt::format(" {:.3g} m from the left wall", gauge_named(definition.gauges, gauge).x);
+      break;
+    case MeasuredAt::probe: {
+      const ProbeDefinition& probe = gauge_named(definition.probes, gauge);
+      shown.title +=
+          fmt::format(" {:.3g} m from the left wall, {:.3g} m above the bottom", probe.x, probe.z);
+      break;
     }
+    case MeasuredAt::wall:
+      shown.title += ", on the " + gauge + (gauge == "bottom" || gauge == "roof" ? "" : " wall");
+      break;
   }
   if (known->tells_sampling)
-    shown.recorded = recorded_text(definition, of_filtered ? sensor : nullptr);
+    shown.recorded = fmt::format(
+        "Solvers and theory are sampled every {:.3g} s (instantaneous values){}.",
+        definition.sample_interval,
+        of_filtered && sensor
+            ? "; then the same low-pass filter for all: " + low_pass_name(*sensor->filter_cutoff)
+            : ", and not filtered");
   return shown;
 }
 

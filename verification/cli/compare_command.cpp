@@ -37,8 +37,8 @@
 #include "verification/results/result_file.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/solvers/external_facts.hpp"
-#include "verification/texts/assessment_text.hpp"
-#include "verification/texts/impact_text.hpp"
+#include "verification/texts/campaign_text.hpp"
+#include "verification/texts/comparison_text.hpp"
 
 namespace slosh {
 namespace {

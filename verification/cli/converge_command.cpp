@@ -18,7 +18,7 @@
 #include "verification/files/own_files.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
-#include "verification/texts/convergence_text.hpp"
+#include "verification/texts/comparison_text.hpp"
 
 namespace slosh {
 namespace {

@@ -19,7 +19,7 @@
 #include "verification/runs/expected_cost.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
-#include "verification/texts/series_csv.hpp"
+#include "verification/texts/result_text.hpp"
 
 namespace slosh {
 namespace {

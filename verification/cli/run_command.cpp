@@ -33,7 +33,7 @@
 #include "verification/runs/run_key.hpp"
 #include "verification/solvers/particles/state_file.hpp"
 #include "verification/solvers/snapshots.hpp"
-#include "verification/texts/run_summary.hpp"
+#include "verification/texts/result_text.hpp"
 
 namespace slosh {
 namespace {

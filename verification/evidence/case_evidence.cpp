@@ -302,15 +302,20 @@ RowDoubts CaseEvidence::doubts_of_runs(const GateRow& row, const std::set<std::s
   named.erase("");
   for (const std::string& one : named)
     if (const std::string doubt = script_doubt(run_named(definition_, one), definition_);
-        !doubt.empty())
+        !doubt.empty()) {
       doubts.text += "; doubtful: " + doubt;
+      doubts.is_doubtful = true;
+    }
   named.insert(rests_on.begin(), rests_on.end());
   const std::string unsound = row.metric == Metric::initial_value
                                   ? std::string()
                                   : soundness_doubt(definition_, runs_, named);
   const bool is_of_itself = !row.quantity.empty() && !find_quantity(row.quantity);
-  if (!unsound.empty()) doubts = {doubts.text + "; doubtful: " + unsound, !is_of_itself};
-  if (is_cost(row.metric)) doubts.text += left_out_as_compiling(definition_, runs_, row);
+  if (!unsound.empty()) doubts = {doubts.text + "; doubtful: " + unsound, !is_of_itself, true};
+  if (!is_cost(row.metric)) return doubts;
+  const RowDoubts of_cost = left_out_as_compiling(definition_, runs_, row);
+  doubts.text += of_cost.text;
+  doubts.is_doubtful |= of_cost.is_doubtful;
   return doubts;
 }
 

@@ -138,8 +138,8 @@ std::vector<WorkPoint> by_memory(const WorkFamily& family) {
   return points;
 }
 
-std::string left_out_as_compiling(const CaseDefinition& definition, const CaseRuns& runs,
-                                  const GateRow& row) {
+RowDoubts left_out_as_compiling(const CaseDefinition& definition, const CaseRuns& runs,
+                                const GateRow& row) {
   const std::string name = work_family(run_named(definition, row.candidate));
   constexpr double least_kept = 0.1;  // [s]; a first start may take so much to load the program
   double largest = 0;
@@ -163,7 +163,9 @@ std::string left_out_as_compiling(const CaseDefinition& definition, const CaseRu
         "{} says itself that {:.3g} s were compiling, {} of what it took; they do not count",
         run.name, said->second, in_unit(share, "1"));
   }
-  return kept + (text.empty() ? "" : (largest > 0.5 ? "; doubtful: " : "; ") + text);
+  const bool is_most = largest > 0.5;
+  return {kept + (text.empty() ? "" : (is_most ? "; doubtful: " : "; ") + text), false,
+          is_most || !kept.empty()};
 }
 
 CostAtError cost_to_reach(const CaseDefinition& definition, const CaseRuns& runs,

@@ -11,6 +11,7 @@
 #include "verification/convergence/work_precision.hpp"
 #include "verification/evidence/case_runs.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/gate/gate_evidence.hpp"
 
 namespace slosh {
 
@@ -64,7 +65,7 @@ CostAtError cost_to_reach(const CaseDefinition& definition, const CaseRuns& runs
 // "; mine_20mm says itself that 8.2 s were compiling, 2 % of what it took; they do not count", of
 // the run of the candidate's family that has the largest share of it, which is doubtful above one
 // half; empty where the results have none.
-std::string left_out_as_compiling(const CaseDefinition& definition, const CaseRuns& runs,
-                                  const GateRow& row);
+RowDoubts left_out_as_compiling(const CaseDefinition& definition, const CaseRuns& runs,
+                                const GateRow& row);
 
 }  // namespace slosh

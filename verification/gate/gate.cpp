@@ -296,6 +296,7 @@ void add_remarks(const std::string& larger_outside, const GateEvidence& evidence
   if (evidence.doubts_of_runs) doubts.push_back(evidence.doubts_of_runs(outcome.row));
   for (const RowDoubts& one : doubts) {
     outcome.remarks += one.text;
+    outcome.is_doubtful |= one.is_doubtful;
     if (one.keep_from_passing && outcome.verdict == Verdict::pass &&
         outcome.row.kind != RowKind::regression)
       outcome.verdict = Verdict::inconclusive;

@@ -102,6 +102,7 @@ struct GateOutcome {
   // The part of the message that a reader must know of a row that passes too, "; doubtful: ..."
   // and "; LARGER outside of that time: ...".
   std::string remarks = {};
+  bool is_doubtful = false;  // the remarks say so of what it was measured with
 };
 
 // The range in which the metric of a row with a limit or a range must lie, in the row's unit. A

@@ -70,6 +70,7 @@ using FindEnsemble = std::function<EnsembleOfRun(const std::string& run)>;
 struct RowDoubts {
   std::string text;                // "; ..." for each
   bool keep_from_passing = false;  // a row other than a regression
+  bool is_doubtful = false;        // the text says "doubtful" of one
 };
 
 // Returns what is doubtful of the row's runs: one that is not sound, or that may be kept though

@@ -234,7 +234,9 @@ void add_coverage(double covered, RowDoubts& found) {
 }
 
 void add_doubtful(const std::vector<std::string>& doubts, RowDoubts& found) {
-  if (!doubts.empty()) add_doubt(fmt::format("doubtful: {}", fmt::join(doubts, "; ")), found);
+  if (doubts.empty()) return;
+  add_doubt(fmt::format("doubtful: {}", fmt::join(doubts, "; ")), found);
+  found.is_doubtful = true;
 }
 
 // Of a row with bounds.
@@ -402,12 +404,11 @@ void add_doubts_of_cost(const GateRow& row, const GateEvidence& evidence, RowDou
         std::min(best, evidence.comparison(run, row.reference, row.quantity).normalised_rms.value);
   const Contribution off = evidence.uncertainty(reached).reference;
   if (!off.half_width)
-    add_doubt("doubtful: " + off.basis, found);
+    add_doubtful({off.basis}, found);
   else if (!(best + *off.half_width <= *row.error))
-    add_doubt(
-        fmt::format("doubtful: the error is {:.3g} %, and the reference may be off by {:.2g} %",
-                    100 * best, 100 * *off.half_width),
-        found);
+    add_doubtful({fmt::format("the error is {:.3g} %, and the reference may be off by {:.2g} %",
+                              100 * best, 100 * *off.half_width)},
+                 found);
   add_doubts_of_pairs(reached, evidence, found);
 }
 
@@ -454,6 +455,7 @@ RowDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence) {
   if (others.text != found.text && !others.text.empty())  // what both say is of the reference
     found.text += fmt::format("; with {} as the candidate{}", other.candidate, others.text);
   found.keep_from_passing |= others.keep_from_passing;
+  found.is_doubtful |= others.is_doubtful;
   return found;
 }
 

@@ -1,5 +1,6 @@
 #include "verification/papers/claims.hpp"
 
+#include <fmt/args.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -102,6 +103,13 @@ string verdict_of(Held held) {
 }
 
 const RunResult& Question::result(std::size_t i) const { return standing_result(first, run(i)); }
+
+Finding Question::judge(const string& name, double scale, const string& unit,
+                        const Estimate& estimate) const {
+  fmt::dynamic_format_arg_store<fmt::format_context> runs;
+  for (const string& one : row.runs) runs.push_back(one);
+  return judged({fmt::vformat(name, runs), scale, unit}, estimate, threshold());
+}
 
 DecidedClaim decided(const Claim& claim, const std::vector<Finding>& findings) {
   Texts texts, against, unknown;

@@ -53,6 +53,9 @@ struct Question {
   // Of the first case. Throws std::runtime_error where the run has none.
   const RunResult& result(std::size_t i) const;
   const Threshold& threshold(std::size_t i = 0) const { return row.thresholds.at(i); }
+  // judged() against the first threshold; the name has {0} for the first run, {1} for the second.
+  Finding judge(const std::string& name, double scale, const std::string& unit,
+                const Estimate& estimate) const;
 };
 
 // The functions by the names that rows have for them. They throw std::runtime_error where a run, a

@@ -20,9 +20,6 @@ struct RedrawnFigure {
 };
 using RedrawnFigures = std::vector<RedrawnFigure>;
 
-// Returns the anchor of the figure's first panel, "" where it has none.
-std::string anchor_of(const RedrawnFigures& redrawn, const std::string& number);
-
 // "figure 5", "figures 2 and 3".
 std::string figure_name(const std::string& number);
 

@@ -53,8 +53,7 @@ Finding phase_against_record(const Question& on) {
   const auto [record, run, window] = recorded_pressure(on, 0, 1);
   const ToneDifference tone =
       tone_difference(run, record, window, forcing_frequency(on.definition()));
-  Finding finding =
-      judged({on.run(0) + ": lag behind the record", 1, "deg"}, tone.lag_degrees, on.threshold());
+  Finding finding = on.judge("{0}: lag behind the record", 1, "deg", tone.lag_degrees);
   finding.text += fmt::format(", {:.2f} ± {:.2f} times its amplitude", tone.amplitude_ratio.value,
                               tone.amplitude_ratio.half_width);
   return finding;
@@ -64,28 +63,30 @@ Finding phase_against_record(const Question& on) {
 Finding shape_against_record(const Question& on) {
   const auto [record, run, window] = recorded_pressure(on, 0, 1);
   const HistoryDifference apart = difference(run, record, window);
-  Finding finding =
-      judged({on.run(0) + ": rms difference to the record, both freed of their means,", 100, "%"},
-             {apart.without_means, 0}, on.threshold());
+  Finding finding = on.judge("{0}: rms difference to the record, both freed of their means,", 100,
+                             "%", {apart.without_means, 0});
   finding.text += fmt::format(", {:.0f} % as they are: the record lies {:+.0f} Pa off",
                               100 * apart.with_means, apart.offset);
   return finding;
 }
 
+const ImpactsDefinition& impacts_of(const CaseDefinition& definition) {
+  if (!definition.impacts)
+    throw std::runtime_error("the case " + definition.name + " has no [impacts]");
+  return *definition.impacts;
+}
+
 // The correlation of what is slower than a tenth of the impacts' period. Threshold: that of it.
 Finding trend_against_record(const Question& on) {
   const auto [record, run, window] = recorded_pressure(on, 0, 1);
-  if (!on.definition().impacts)
-    throw std::runtime_error("the case " + on.definition().name + " has no [impacts]");
-  const double cutoff = 10 / on.definition().impacts->period;
+  const double cutoff = 10 / impacts_of(on.definition()).period;
   const CommonSamples common =
       common_samples(low_pass(run, cutoff), cut_to_window(low_pass(record, cutoff), window));
   const auto one = without_mean(common.candidate), other = without_mean(common.reference);
   const double correlation = std::inner_product(one.begin(), one.end(), other.begin(), 0.0) /
                              (static_cast<double>(one.size()) * rms(one) * rms(other));
-  return judged(
-      {fmt::format("{}: correlation with the record below {:.2g} Hz", on.run(0), cutoff), 1, ""},
-      {correlation, 0}, on.threshold());
+  return on.judge(fmt::format("{{0}}: correlation with the record below {:.2g} Hz", cutoff), 1, "",
+                  {correlation, 0});
 }
 
 // The difference of shape to the record, the third run, of the second run over that of the first.
@@ -95,11 +96,8 @@ Finding nearer_to_record(const Question& on) {
     const auto [record, run, window] = recorded_pressure(on, i, 2);
     return difference(run, record, window).without_means;
   };
-  return judged({fmt::format("difference to the record, both freed of their means, of {} over that "
-                             "of {}",
-                             on.run(1), on.run(0)),
-                 1, ""},
-                {distance(1) / distance(0), 0}, on.threshold());
+  return on.judge("difference to the record, both freed of their means, of {1} over that of {0}", 1,
+                  "", {distance(1) / distance(0), 0});
 }
 
 // The rms difference of `quantity` between two runs, filtered as the case's pressure. Threshold:
@@ -110,11 +108,8 @@ Finding difference_of_runs(const Question& on) {
     return low_pass(on.result(i).at(on.row.quantity), cutoff);
   };
   const TimeSeries one = filtered(0), other = filtered(1);
-  return judged({fmt::format("{} against {}: rms difference of {}", on.run(0), on.run(1),
-                             on.row.quantity + through_filter),
-                 100, "%"},
-                {difference(one, other, comparison_window(on.definition())).with_means, 0},
-                on.threshold());
+  return on.judge("{0} against {1}: rms difference of " + on.row.quantity + through_filter, 100,
+                  "%", {difference(one, other, comparison_window(on.definition())).with_means, 0});
 }
 
 // The mean over the case's moments of a number of the fields of a run against those of a mesh.
@@ -139,11 +134,10 @@ Finding difference_of_fields(const Question& on) {
   };
   const double one = apart(0), other = apart(1);
   const double least = std::abs(one - other), most = one + other;
-  return judged({fmt::format("pressure fields of {} and {} by way of {}: rms difference over the "
-                             "pressure under the depth",
-                             on.run(0), on.run(1), on.run(2)),
-                 100, "%"},
-                {(least + most) / 2, (most - least) / 2}, on.threshold());
+  return on.judge(
+      "pressure fields of {0} and {1} by way of {2}: rms difference over the pressure under the "
+      "depth",
+      100, "%", {(least + most) / 2, (most - least) / 2});
 }
 
 // The cells at the snapshot times that only one of the runs fills, the first and the interFoam run,
@@ -151,16 +145,11 @@ Finding difference_of_fields(const Question& on) {
 Finding surface_against_mesh(const Question& on) {
   const double share = mean_over_moments(
       on, 0, 1, [](const FieldDifference& one) { return one.uncovered_share + one.excess_share; });
-  return judged({fmt::format("{}: cells that it or {} alone fills", on.run(0), on.run(1)), 100,
-                 "% of the liquid's"},
-                {share, 0}, on.threshold());
+  return on.judge("{0}: cells that it or {1} alone fills", 100, "% of the liquid's", {share, 0});
 }
 
 const TimeSeries& impact_pressure(const Question& on, const std::string& run) {
-  const RunResult& result = standing_result(on.first, run);
-  if (!on.definition().impacts)
-    throw std::runtime_error("the case " + on.definition().name + " has no [impacts]");
-  return result.at(wall_pressure(on.definition().impacts->gauge));
+  return standing_result(on.first, run).at(wall_pressure(impacts_of(on.definition()).gauge));
 }
 
 // The three that follow: the impacts of the first run against the published ones. Threshold:
@@ -182,9 +171,8 @@ Finding impact_times(const Question& on) {
 
 // Threshold: range of the plateau's relative error.
 Finding plateau_against_published(const Question& on) {
-  return judged({on.run(0) + ": plateau against the published one", 100, "%"},
-                {plateau_error(impact_pressure(on, on.run(0)), on.definition()), 0},
-                on.threshold());
+  return on.judge("{0}: plateau against the published one", 100, "%",
+                  {plateau_error(impact_pressure(on, on.run(0)), on.definition()), 0});
 }
 
 // Thresholds: range of a peak's percentile among the repeats [%], its range in their standard
@@ -328,10 +316,9 @@ Finding fixed_changes_less(const Question& on) {
     const double value = moving.value / fixed.value;
     const double relative =
         std::hypot(moving.half_width / moving.value, fixed.half_width / fixed.value);
-    return judged({fmt::format("change of the {} from {} to {} over that from {} to {}", what,
-                               on.run(0), on.run(1), on.run(2), on.run(3)),
-                   1, ""},
-                  {value, value * relative}, on.threshold());
+    return on.judge(
+        fmt::format("change of the {} from {{0}} to {{1}} over that from {{2}} to {{3}}", what), 1,
+        "", {value, value * relative});
   };
   const Finding peaks = part("peaks", &ImpactsOfMembers::log_peaks),
                 times = part("times", &ImpactsOfMembers::times);

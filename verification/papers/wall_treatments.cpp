@@ -17,10 +17,6 @@ namespace {
 
 constexpr double late_part = 0.2;  // the last part of the run, after the initial transient
 
-bool has_tag(const CaseDefinition& definition, const std::string& tag) {
-  return std::find(definition.tags.begin(), definition.tags.end(), tag) != definition.tags.end();
-}
-
 // Returns the mean over the last fifth of the run; NaN where the run lacks the series, or the
 // series has NaN or ends early.
 double late_mean(const CaseAssessment& assessment, const std::string& run,
@@ -56,12 +52,9 @@ std::string number(double value, const char* format) {
   return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "not available";
 }
 
-struct Crossings {
-  std::string count, verdict;
-};
-
-// A count that is NaN or missing is not decidable.
-Crossings crossings_of(const RunResult& result) {
+// How often a particle crossed a wall, and whether the walls hold the liquid: a count that is NaN
+// or missing is not decidable.
+std::pair<std::string, std::string> crossings_of(const RunResult& result) {
   const auto found = result.diagnostics.find("wall_crossings");
   if (found == result.diagnostics.end()) return {"not counted", "not decidable"};
   if (!std::isfinite(found->second)) return {"not available", "not decidable"};
@@ -69,27 +62,23 @@ Crossings crossings_of(const RunResult& result) {
 }
 
 std::vector<std::string> row_of(const CaseAssessment& assessment, const std::string& run) {
-  std::vector<std::string> row{assessment.definition.name, run};
+  const std::string& name = assessment.definition.name;
   const auto found = assessment.runs.results.find(run);
   if (found == assessment.runs.results.end()) {
     const RunStatus& status = assessment.runs.status.at(run);
     const std::string message = status.message.empty() ? "" : ": " + status.message;
-    row.insert(row.end(),
-               {"", "", "", "", "not decidable", "", state_name(status.state) + message});
-    return row;
+    return {name, run, "", "", "", "", "not decidable", "", state_name(status.state) + message};
   }
-  const Crossings crossings = crossings_of(found->second);
-  row.insert(row.end(),
-             {number(late_mean(assessment, run, "wall_gap"), "{:+.3f}"),
-              number(noise_of(assessment, run), "{:.2e}"),
-              number(100 * late_mean(assessment, run, "volume_drift"), "{:+.3f}"), crossings.count,
-              crossings.verdict, number(nanoseconds(found->second.cost), "{:.0f}"), ""});
-  return row;
-}
-
-bool declares(const CaseDefinition& definition, const std::string& run) {
-  return std::any_of(definition.runs.begin(), definition.runs.end(),
-                     [&](const RunDefinition& one) { return one.name == run; });
+  const auto [crossings, holds] = crossings_of(found->second);
+  return {name,
+          run,
+          number(late_mean(assessment, run, "wall_gap"), "{:+.3f}"),
+          number(noise_of(assessment, run), "{:.2e}"),
+          number(100 * late_mean(assessment, run, "volume_drift"), "{:+.3f}"),
+          crossings,
+          holds,
+          number(nanoseconds(found->second.cost), "{:.0f}"),
+          ""};
 }
 
 reports::Table table_of(const std::vector<const CaseAssessment*>& cases) {
@@ -109,24 +98,24 @@ reports::Table table_of(const std::vector<const CaseAssessment*>& cases) {
           "hold the liquid where that never happened. Cost: user time.",
           fmt::join(bands, ", ")),
       {"case", "walls", "gap [spacings]", "pressure noise [1]", "volume drift [%]",
-       "wall crossings", "holds the liquid", "cost [ns per particle and step]", "remark"},
-      {}};
+       "wall crossings", "holds the liquid", "cost [ns per particle and step]", "remark"}};
   for (const CaseAssessment* one : cases)
     for (const char* treatment : wall_treatments)
-      if (declares(one->definition, treatment)) table.rows.push_back(row_of(*one, treatment));
+      if (std::ranges::find(one->definition.runs, treatment, &RunDefinition::name) !=
+          one->definition.runs.end())
+        table.rows.push_back(row_of(*one, treatment));
   return table;
 }
 
 reports::Figure figure_of(const std::vector<const CaseAssessment*>& cases) {
-  reports::Figure figure;
-  figure.id = "walls-noise-and-cost";
-  figure.title = "Noise and cost of each wall treatment";
-  figure.caption = "Each point is a case of the table; lower left is better.";
-  figure.x_label = "user time [ns per particle and step]";
-  figure.y_label = "pressure noise [1]";
-  figure.log_y = true;
+  reports::Figure figure{.id = "walls-noise-and-cost",
+                         .title = "Noise and cost of each wall treatment",
+                         .caption = "Each point is a case of the table; lower left is better.",
+                         .x_label = "user time [ns per particle and step]",
+                         .y_label = "pressure noise [1]",
+                         .log_y = true};
   for (const char* treatment : wall_treatments) {
-    reports::Curve curve{treatment, {}, {}, {}, reports::Curve::Style::points};
+    reports::Curve curve{.label = treatment, .style = reports::Curve::Style::points};
     for (const CaseAssessment* one : cases) {
       const auto found = one->runs.results.find(treatment);
       if (found == one->runs.results.end()) continue;
@@ -144,8 +133,9 @@ reports::Figure figure_of(const std::vector<const CaseAssessment*>& cases) {
 std::optional<reports::Section> wall_treatment_section(const std::vector<CaseAssessment>& cases) {
   std::vector<const CaseAssessment*> tagged;
   for (const CaseAssessment& one : cases)
-    if (has_tag(one.definition, "walls")) tagged.push_back(&one);
-  reports::Section section{"walls", "Wall treatments", {}, {table_of(tagged)}, {}};
+    if (std::ranges::find(one.definition.tags, "walls") != one.definition.tags.end())
+      tagged.push_back(&one);
+  reports::Section section{"walls", "Wall treatments", {}, {table_of(tagged)}};
   if (section.tables[0].rows.empty()) return std::nullopt;
   section.paragraphs = {
       "`repulsive_mirror` are the walls of Li et al. 2010, `dynamic_moving` and `dynamic_fixed` "

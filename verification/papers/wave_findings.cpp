@@ -38,8 +38,7 @@ Finding mode_error(const Question& on, Estimate ModeComparison::*error) {
   const Comparison& comparison = against_theory(on);
   for (const ModeComparison& mode : comparison.modes) {
     if (mode.mode != on.row.quantity) continue;
-    if (mode.resolved())
-      return judged({on.run(0) + ": " + on.row.name, 100, "%"}, mode.*error, on.threshold());
+    if (mode.resolved()) return on.judge("{0}: " + on.row.name, 100, "%", mode.*error);
     throw std::runtime_error(
         fmt::format("{} of {} cannot be resolved", mode.mode, comparison.candidate));
   }
@@ -64,8 +63,8 @@ Finding flattened_crests(const Question& on) {
     return skewness(on.result(i).at(quantity), comparison_window(on.definition()));
   };
   const double ours = skewness_of(0);
-  Finding finding = judged({on.run(0) + ": skewness of theory's elevation less its own", 1, ""},
-                           {skewness_of(1) - ours, 0}, on.threshold());
+  Finding finding = on.judge("{0}: skewness of theory's elevation less its own", 1, "",
+                             {skewness_of(1) - ours, 0});
   finding.text += fmt::format(", which is {:+.3f}", ours);
   return finding;
 }

@@ -18,7 +18,7 @@
 #include "verification/gate/gate.hpp"
 #include "verification/runs/expected_cost.hpp"
 #include "verification/solvers/theory/natural_frequencies.hpp"
-#include "verification/texts/run_summary.hpp"
+#include "verification/texts/result_text.hpp"
 
 namespace slosh {
 namespace {

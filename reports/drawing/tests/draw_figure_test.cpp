@@ -10,7 +10,6 @@
 #include <set>
 #include <sstream>
 
-#include "reports/drawing/axes.hpp"
 #include "reports/drawing/figure_layout.hpp"
 #include "reports/drawing/gnuplot_script.hpp"
 #include "reports/drawing/run_gnuplot.hpp"

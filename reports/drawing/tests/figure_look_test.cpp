@@ -3,12 +3,11 @@
 
 #include <algorithm>
 
-#include "reports/drawing/axes.hpp"
 #include "reports/drawing/draw_figure.hpp"
 #include "reports/drawing/figure_layout.hpp"
-#include "reports/drawing/gnuplot_curves.hpp"
 #include "reports/drawing/gnuplot_script.hpp"
 #include "reports/tests/test_environment.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::reports::figure_look_test {
 namespace {
@@ -48,8 +47,8 @@ TEST(Look, IsTheSameAtEveryPlaceOfAFigure) {
   const std::string first = looks(figure_of({run, other}));
   EXPECT_EQ(first, looks(figure_of({other, other, run})));
   const Stroke stroke = stroke_of(*run.look);
-  EXPECT_NE(first.find(stroke.colour), std::string::npos) << first;
-  EXPECT_NE(first.find(" pt " + std::to_string(stroke.point) + " "), std::string::npos) << first;
+  EXPECT_TRUE(holds(first, stroke.colour));
+  EXPECT_TRUE(holds(first, " pt " + std::to_string(stroke.point) + " "));
 }
 
 TEST(Look, OfAReferenceIsBlackOrGreyAndHasNoMarkersOnItsLine) {
@@ -58,9 +57,9 @@ TEST(Look, OfAReferenceIsBlackOrGreyAndHasNoMarkersOnItsLine) {
   record.look = Look{true, 1, 0};
   record.label = "record";
   const Figure figure = figure_of({theory, record});
-  EXPECT_NE(element(figure, "theory").find("#1f2933"), std::string::npos);
-  EXPECT_NE(element(figure, "record").find("#67727e"), std::string::npos);
-  EXPECT_EQ(element(figure, "theory").find(" pt "), std::string::npos);
+  EXPECT_TRUE(holds(element(figure, "theory"), "#1f2933"));
+  EXPECT_TRUE(holds(element(figure, "record"), "#67727e"));
+  EXPECT_FALSE(holds(element(figure, "theory"), " pt "));
 }
 
 TEST(Look, OfABandIsTheColourOfItsCurve) {
@@ -75,7 +74,7 @@ TEST(Look, OfABandIsTheColourOfItsCurve) {
 TEST(Look, HasNoMarkersOnALevelWhereTheyWouldLookLikeData) {
   Curve level{"level", {0, 1}, {1, 1}, {}, Curve::Style::line};
   level.look = Look{false, 0, 0};
-  EXPECT_EQ(element(figure_of({level}), "level").find(" pt "), std::string::npos);
+  EXPECT_FALSE(holds(element(figure_of({level}), "level"), " pt "));
 }
 
 TEST(Look, IsAnotherForEachRunOfAFamilyOfFour) {
@@ -96,8 +95,8 @@ TEST(CurveWithoutScale, IsThinAndLeavesTheAxisToTheOthers) {
   EXPECT_LT(plot_ranges(cut).vertical.upper, 2);
   EXPECT_EQ(plot_ranges(cut).vertical.upper,
             plot_ranges(figure_of({curve_named("near", 1)})).vertical.upper);
-  EXPECT_NE(element(both, "far").find("lw 1.8"), std::string::npos);
-  EXPECT_NE(element(cut, "far").find("lw 0.81"), std::string::npos) << element(cut, "far");
+  EXPECT_TRUE(holds(element(both, "far"), "lw 1.8"));
+  EXPECT_TRUE(holds(element(cut, "far"), "lw 0.81")) << element(cut, "far");
   const Figure alone = figure_of({far});
   EXPECT_GT(plot_ranges(alone).vertical.upper, 1000);  // there is nothing else to see
 }
@@ -113,7 +112,7 @@ TEST(SmallFigure, HasASmallCanvasAndNoLegend) {
   // The curve's group has its name for readers who do not see it; a legend would repeat it.
   const std::string name = "a run of a long name";
   EXPECT_EQ(drawn.markup.find(name), drawn.markup.rfind(name));
-  EXPECT_NE(drawn.markup.find("#0069a8"), std::string::npos) << "no curve";
+  EXPECT_TRUE(holds(drawn.markup, "#0069a8")) << "no curve";
 }
 
 TEST(Ribbons, OfOneNameHaveOneEntryInTheLegend) {

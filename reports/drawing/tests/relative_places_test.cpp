@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reports/drawing/draw_figure.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::reports::relative_places_test {
 namespace {
@@ -67,7 +68,7 @@ TEST(RelativePlaces, AreWithinATenthOfAPixelAlongALongLine) {
   const std::string relative = with_relative_places(tag);
   expect_near(places_of(path_data(relative)), wave());
   EXPECT_LT(relative.size(), tag.size() * 0.55);
-  EXPECT_TRUE(relative.starts_with("<path stroke='#0069a8'  d='M84.5 220l"));
+  EXPECT_TRUE(begins(relative, "<path stroke='#0069a8'  d='M84.5 220l"));
   EXPECT_TRUE(relative.ends_with("'/>"));
 }
 
@@ -76,7 +77,7 @@ TEST(RelativePlaces, MakeAPolygonAClosedPath) {
       with_relative_places("<polygon fill = '#0069a8' fill-opacity = '0.16' points = '" +
                            absolute(wave(), false) + "'/>");
   expect_near(places_of(path_data(relative)), wave());
-  EXPECT_TRUE(relative.starts_with("<path fill = '#0069a8' fill-opacity = '0.16' d='M84.5 220l"))
+  EXPECT_TRUE(begins(relative, "<path fill = '#0069a8' fill-opacity = '0.16' d='M84.5 220l"))
       << relative.substr(0, 100);
   EXPECT_TRUE(relative.ends_with("z'/>"));
 }
@@ -92,8 +93,8 @@ TEST(RelativePlaces, KeepTheGapsOfALine) {
 TEST(RelativePlaces, ArePrintedWithoutNeedlessDigits) {
   std::string places = "M0.04,-0.06 L0.50,0.50 L-0.5,10 ";
   for (int i = 0; i < 40; ++i) places += "L-0.5,10 ";
-  EXPECT_TRUE(path_data(with_relative_places("<path d='" + places + "'/>"))
-                  .starts_with("M0-.1l.5 .6-1 9.5 0 0 0 0"))
+  EXPECT_TRUE(begins(path_data(with_relative_places("<path d='" + places + "'/>")),
+                     "M0-.1l.5 .6-1 9.5 0 0 0 0"))
       << path_data(with_relative_places("<path d='" + places + "'/>"));
 }
 

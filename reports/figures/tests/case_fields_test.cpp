@@ -1,11 +1,11 @@
-// The flow fields at a case's snapshot times.
+// The flow fields at a case's snapshot times, and its animation: their runs and their moments.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 #include <numbers>
 
-#include "reports/fields/draw_field.hpp"
+#include "reports/drawing/draw_field.hpp"
 #include "reports/pages/check_report.hpp"
 #include "reports/summary/campaign_report.hpp"
 #include "verification/tests/figure_results.hpp"
@@ -14,9 +14,9 @@
 namespace slosh::case_fields_test {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 using Names = std::vector<std::string>;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Roll of 0.1 rad at 1 s, none at 2 s.
 CaseDefinition rolling_case() {
@@ -151,6 +151,73 @@ TEST(CaseFields, AreCutWhereTheyHaveTooManyColumns) {
 TEST(CaseFields, AreNoneWithoutSnapshots) {
   EXPECT_TRUE(case_fields(assess(rolling_case(), surge_runs())).empty());
   EXPECT_TRUE(case_fields(assess(surge_case(), surge_runs())).empty());
+}
+
+CaseDefinition animated_case() {
+  CaseDefinition definition = surge_case();
+  definition.animation_times = {1, 1.5, 2};
+  return definition;
+}
+
+CaseRuns animated_runs(const Names& names) { return runs_with_snapshots(names, {1, 1.5, 2}); }
+
+// The last of the case's fields; the test fails where it is no animation.
+reports::FieldFigure animation_of(const CaseDefinition& definition, const CaseRuns& runs) {
+  const auto fields = case_fields(assess(definition, runs));
+  if (fields.empty() || !fields.back().is_animation) {
+    ADD_FAILURE() << "no animation";
+    return {};
+  }
+  return fields.back();
+}
+
+bool says(const reports::FieldFigure& figure, const std::string& sentence) {
+  return figure.caption.find(sentence) != std::string::npos;
+}
+
+TEST(CaseAnimation, IsTheLastFieldAndHasTheFinestRunOfEachSolverAtEachMoment) {
+  CaseDefinition definition = animated_case();
+  definition.snapshot_times = {1, 2};
+  const CaseRuns runs = animated_runs({"particles", "coarse_mesh", "fine_mesh"});
+  const auto fields = case_fields(assess(definition, runs));
+  ASSERT_EQ(fields.size(), 2u);
+  EXPECT_FALSE(fields[0].is_animation);
+  EXPECT_EQ(fields[0].panels.size(), 4u);  // of the two snapshot times alone
+  const reports::FieldFigure& animation = fields[1];
+  EXPECT_EQ(animation.id, "small_surge-animation");
+  EXPECT_TRUE(animation.is_animation);
+  EXPECT_EQ(animation.columns, 2);
+  EXPECT_EQ(panel_labels(animation),
+            (Names{"particles, t = 1 s", "fine_mesh, t = 1 s", "particles, t = 1.5 s",
+                   "fine_mesh, t = 1.5 s", "particles, t = 2 s", "fine_mesh, t = 2 s"}));
+  EXPECT_TRUE(says(animation, "Animation of 3 moments, 0.5 s apart"));
+}
+
+TEST(CaseAnimation, KeepsARunThatLacksMomentsAndTellsSo) {
+  CaseRuns runs = animated_runs({"particles", "fine_mesh"});
+  runs.results.at("fine_mesh").snapshots.pop_back();
+  const reports::FieldFigure animation = animation_of(animated_case(), runs);
+  EXPECT_EQ(animation.columns, 2);
+  EXPECT_TRUE(animation.panels.at(5).x.empty());
+  EXPECT_TRUE(says(animation, " fine_mesh recorded 2 of these moments."));
+  EXPECT_FALSE(says(animation, "particles recorded"));
+}
+
+TEST(CaseAnimation, TellsOfASolverThatRecordedNone) {
+  const reports::FieldFigure animation =
+      animation_of(animated_case(), animated_runs({"particles"}));
+  EXPECT_EQ(animation.columns, 1);
+  EXPECT_TRUE(says(animation, " fine_mesh recorded none of them."));
+}
+
+TEST(CaseAnimation, LeavesOutAMomentThatNoRunRecorded) {
+  CaseRuns runs = animated_runs({"particles", "fine_mesh"});
+  for (const std::string run : {"particles", "fine_mesh"})
+    runs.results.at(run).snapshots.erase(runs.results.at(run).snapshots.begin());
+  EXPECT_EQ(animation_of(animated_case(), runs).panels.size(), 4u);
+  for (const std::string run : {"particles", "fine_mesh"})
+    runs.results.at(run).snapshots.pop_back();
+  EXPECT_TRUE(case_fields(assess(animated_case(), runs)).empty()) << "one moment is no animation";
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "reports/drawing/axes.hpp"
+#include "reports/drawing/figure_layout.hpp"
 #include "verification/tests/figure_results.hpp"
 
 namespace slosh::comparison_figures_test {
@@ -107,7 +107,8 @@ TEST(SlidingFigures, ShowAConstantErrorAsALevelCurveWithItsTolerance) {
   EXPECT_NEAR(ratio.bands[0].lower, 0.95, 1e-12);
   ASSERT_EQ(lag.bands.size(), 1u);
   EXPECT_EQ(lag.bands[0].upper, 2);
-  EXPECT_GT(reports::horizontal_range(lag).lower, 5) << "the axis begins where there are data";
+  EXPECT_GT(reports::plot_ranges(lag).horizontal.lower, 5)
+      << "the axis begins where there are data";
 }
 
 TEST(SlidingFigures, HaveOneBandForCandidatesThatAreAllowedTheSame) {

@@ -9,6 +9,7 @@
 #include "reports/pages/check_report.hpp"
 #include "reports/summary/campaign_report.hpp"
 #include "verification/tests/figure_results.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::history_figures_test {
 namespace {
@@ -72,8 +73,8 @@ TEST(PressureFigure, ShowsTheoryBothSolversAndTheRecordUnfilteredAndFiltered) {
             assessment.runs.results.at("fine_mesh").at("wall_pressure@B/filtered").value);
   EXPECT_NE(filtered.curves[2].y, waving("", "", 1020).value);
   for (const char* told : {"a sensor of 4 mm", "every 0.04 s", "recommended, 10 mm", "50 x 100"})
-    EXPECT_NE(figure.caption.find(told), std::string::npos) << told << "\n" << figure.caption;
-  EXPECT_NE(filtered.caption.find("-3 dB at 5 Hz"), std::string::npos) << filtered.caption;
+    EXPECT_TRUE(holds(figure.caption, told)) << told << "\n" << figure.caption;
+  EXPECT_TRUE(holds(filtered.caption, "-3 dB at 5 Hz"));
   definition.pressure_gauges[0].filter_cutoff.reset();
   EXPECT_TRUE(figure_of(assess(definition, gauged_runs()), "filtered_wall_pressure-B").id.empty());
 }
@@ -120,7 +121,7 @@ TEST(LoadFigures, ShowEachComponentOfThoseThatHaveIt) {
   EXPECT_EQ(labels(figure_of(assessment, "force_z")), (Names{"particles"}));
   EXPECT_EQ(labels(moment), (Names{"theory", "particles"}));
   EXPECT_EQ(moment.y_label, "moment [N]");
-  EXPECT_NE(moment.caption.find("counter-clockwise"), std::string::npos);
+  EXPECT_TRUE(holds(moment.caption, "counter-clockwise"));
   EXPECT_EQ(labels(momentum), (Names{"particles"}));
   EXPECT_EQ(momentum.y_label, "momentum x [kg/s]");
   EXPECT_EQ(momentum.curves.at(0).y, waving("", "", 50).value);

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "reports/figures/case_figures.hpp"
-#include "reports/figures/glance_figure.hpp"
 #include "verification/tests/impact_runs.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::impact_figures_test {
 namespace {
@@ -42,7 +42,7 @@ TEST(ImpactFigures, DrawTheRepeatsOfEachImpactBesideThoseOfTheExperiment) {
 
 TEST(GlanceFigure, OfACaseWithImpactsShowsTheirPressure) {
   const CaseAssessment assessment = repeats(impact_case(), 3);
-  EXPECT_EQ(glance_figure(assessment, "repeat_0").value().caption.find("pressure"), 0U)
+  EXPECT_TRUE(begins(glance_figure(assessment, "repeat_0").value().caption, "pressure"))
       << glance_figure(assessment, "repeat_0").value().caption;
 }
 
@@ -78,11 +78,9 @@ TEST(ImpactFigures, OfASingleImpactMarkTheEdgesOfTheRecordsBand) {
 }
 
 TEST(ImpactFigures, TellHowEnoughRepeatsCompareWithTheExperiments) {
-  EXPECT_EQ(impact_figures(repeats(impact_case(), 3))[0].caption.find("Kolmogorov"),
-            std::string::npos);
+  EXPECT_FALSE(holds(impact_figures(repeats(impact_case(), 3))[0].caption, "Kolmogorov"));
   for (const reports::Figure& figure : impact_figures(repeats(impact_case(), 20)))
-    EXPECT_NE(figure.caption.find(" repeat_0: 20 peaks, median "), std::string::npos)
-        << figure.caption;
+    EXPECT_TRUE(holds(figure.caption, " repeat_0: 20 peaks, median "));
 }
 
 TEST(ImpactFigures, AreOfRepeatsAlone) {

@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "reports/figures/run_looks.hpp"
+#include "reports/figures/figure_runs.hpp"
 #include "reports/pages/check_report.hpp"
 #include "reports/summary/campaign_report.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/tests/figure_results.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::paper_panels_test {
 namespace {
@@ -185,7 +186,7 @@ TEST(PaperPanels, OfOneFigureHaveOneScaleWithoutDimensionsWhereThePaperHasNone) 
     EXPECT_NEAR(figure.x_range.second, 40 / period, 1e-6);
     EXPECT_EQ(figure.y_label, "highest surface, η/h [1]");
     EXPECT_EQ(labels(figure), (Names{"li2010_20mm", "interfoam_50x100"}));
-    EXPECT_TRUE(figure.caption.starts_with("h = 0.35 m, T = 4.235 s. ")) << figure.caption;
+    EXPECT_TRUE(begins(figure.caption, "h = 0.35 m, T = 4.235 s. "));
     EXPECT_TRUE(figure.caption.ends_with(
         " Of the paper's figure we do not know what it is divided by: the still depth and the "
         "forcing's period are ours."))

@@ -1,16 +1,15 @@
 // One look for each run on every page, and figures of at most six curves.
-#include "reports/figures/run_looks.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "reports/figures/figure_panels.hpp"
-#include "reports/figures/glance_figure.hpp"
+#include "reports/figures/case_figures.hpp"
+#include "reports/figures/figure_runs.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/tests/figure_results.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::run_looks_test {
 namespace {
@@ -189,15 +188,13 @@ TEST(HistoryFigure, CutsOffAReferenceOutOfItsRangeAndSaysWhatItReaches) {
   theory.series[0] = scaled(theory.series[0], 100);
   const auto shown = [&] { return case_figures(assess(surge_case(), runs)).at(0); };
   reports::Figure figure = shown();
-  EXPECT_EQ(figure.caption.find("cut off"), std::string::npos);
+  EXPECT_FALSE(holds(figure.caption, "cut off"));
   EXPECT_TRUE(figure.curves.at(0).sets_scale);
   theory.diagnostics["highest_elevation_over_depth"] = 0.2;
   figure = shown();
   EXPECT_FALSE(figure.curves.at(0).sets_scale);
   EXPECT_TRUE(figure.curves.at(2).sets_scale);
-  EXPECT_NE(figure.caption.find("The thin line of theory (out of its range) is cut off"),
-            std::string::npos)
-      << figure.caption;
+  EXPECT_TRUE(holds(figure.caption, "The thin line of theory (out of its range) is cut off"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "reports/tests/headless_browser.hpp"
 #include "reports/tests/sample_report.hpp"
 #include "reports/tests/test_environment.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::reports::browser_test {
 namespace {
@@ -144,8 +145,7 @@ TEST_F(Browser, ShowsAllCasesAtAGlanceOnTheFirstScreenLightAndDark) {
       EXPECT_EQ(page.at("glance_legend"),
                 (nlohmann::json{"reference", "SPH recommended", "interFoam (VOF)"}));
       EXPECT_EQ(page.at("decision"), "Decided by case 2: 10 mm: 7.2 ± 0.3 %, at most 5 %.");
-      EXPECT_NE(page.at("glances")[2].at("verdict").get<std::string>().find("Fail"),
-                std::string::npos);
+      EXPECT_TRUE(holds(page.at("glances")[2].at("verdict").get<std::string>(), "Fail"));
       EXPECT_EQ(page.at("glances")[2].at("leads_to"), "case-2.html");
     }
     // Four cases in a row: the first row is whole on the first screen of a desk, and the first case

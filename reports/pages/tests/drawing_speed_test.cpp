@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "reports/fields/draw_field.hpp"
+#include "reports/drawing/draw_field.hpp"
 #include "reports/pages/write_report.hpp"
 #include "reports/tests/sample_report.hpp"
 #include "reports/tests/test_environment.hpp"

@@ -2,70 +2,55 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 namespace slosh::reports::text_markup_test {
 namespace {
 
-TEST(HtmlText, MayBreakALongNameAfterItsUnderscoresButNoCode) {
-  EXPECT_EQ(html_text("linear_two_layer"), "linear_<wbr>two_<wbr>layer");
-  EXPECT_EQ(html_text("`linear_two_layer`"), "<code>linear_two_layer</code>");
+using Texts = std::vector<std::pair<const char*, const char*>>;
+
+TEST(HtmlText, EscapesAllThatHtmlReadsShowsCodeAndMayBreakALongNameAfterItsUnderscores) {
+  for (const auto& [text, html] :
+       Texts{{"linear_two_layer", "linear_<wbr>two_<wbr>layer"},
+             {"`linear_two_layer`", "<code>linear_two_layer</code>"},
+             {"<script>a && b</script> \"'",
+              "&lt;script&gt;a &amp;&amp; b&lt;/script&gt; &quot;&apos;"},
+             {"run `a < b` now", "run <code>a &lt; b</code> now"},
+             {"one ` only", "one ` only"},
+             {"`a` and `b", "<code>a</code> and `b"}})
+    EXPECT_EQ(html_text(text), html);
 }
 
-TEST(HtmlText, EscapesEverythingThatHtmlReads) {
-  EXPECT_EQ(html_text("<script>a && b</script> \"'"),
-            "&lt;script&gt;a &amp;&amp; b&lt;/script&gt; &quot;&apos;");
+TEST(MarkdownText, EscapesAllThatMarkdownReadsAndStaysInsideItsTableCell) {
+  for (const auto& [text, markdown] :
+       Texts{{"a*b_c [x](y) <i> #1 ~z~ $t$ & \\",
+              R"(a\*b\_c \[x\](y) &lt;i&gt; \#1 \~z\~ \$t\$ &amp; \\)"},
+             {"one ` only", "one \\` only"},
+             {"`<b>x</b>`", "\\`&lt;b&gt;x&lt;/b&gt;\\`"},
+             {"`a\\|<b>`", "\\`a\\\\\\|&lt;b&gt;\\`"},
+             {"``<b>``", "\\`\\`&lt;b&gt;\\`\\`"},
+             {"a | b\nc", "a \\| b c"},
+             {"`a | b`", "`a \\| b`"},
+             {"- 5 mm", "\\- 5 mm"},
+             {"1. first", "1\\. first"},
+             {"1.5 mm", "1.5 mm"}})
+    EXPECT_EQ(markdown_text(text), markdown);
 }
 
-TEST(HtmlText, ShowsTextBetweenBackticksAsCode) {
-  EXPECT_EQ(html_text("run `a < b` now"), "run <code>a &lt; b</code> now");
-  EXPECT_EQ(html_text("one ` only"), "one ` only");
-  EXPECT_EQ(html_text("`a` and `b"), "<code>a</code> and `b");
-}
-
-TEST(MarkdownText, EscapesEverythingThatMarkdownReads) {
-  EXPECT_EQ(markdown_text("a*b_c [x](y) <i> #1 ~z~ $t$ & \\"),
-            R"(a\*b\_c \[x\](y) &lt;i&gt; \#1 \~z\~ \$t\$ &amp; \\)");
-  EXPECT_EQ(markdown_text("one ` only"), "one \\` only");
-}
-
-TEST(MarkdownText, HoldsNoTagInCodeEither) {
-  EXPECT_EQ(markdown_text("`<b>x</b>`"), "\\`&lt;b&gt;x&lt;/b&gt;\\`");
-  EXPECT_EQ(markdown_text("`a\\|<b>`"), "\\`a\\\\\\|&lt;b&gt;\\`");
-  EXPECT_EQ(markdown_text("``<b>``"), "\\`\\`&lt;b&gt;\\`\\`");
-}
-
-TEST(MarkdownText, StaysInsideItsTableCell) {
-  EXPECT_EQ(markdown_text("a | b\nc"), "a \\| b c");
-  EXPECT_EQ(markdown_text("`a | b`"), "`a \\| b`");
-}
-
-TEST(MarkdownText, StartsNoListByAccident) {
-  EXPECT_EQ(markdown_text("- 5 mm"), "\\- 5 mm");
-  EXPECT_EQ(markdown_text("1. first"), "1\\. first");
-  EXPECT_EQ(markdown_text("1.5 mm"), "1.5 mm");
-}
-
-TEST(CellVerdicts, AreReadInAnyCaseAndOnlyFromTheWholeCell) {
-  EXPECT_EQ(cell_verdict("pass"), CellVerdict::good);
-  EXPECT_EQ(cell_verdict("PASS"), CellVerdict::good);
-  EXPECT_EQ(cell_verdict("Confirmed"), CellVerdict::good);
-  EXPECT_EQ(cell_verdict("validated"), CellVerdict::good);
-  EXPECT_EQ(cell_verdict("watched, not validated"), CellVerdict::neutral);
-  for (const char* bad :
-       {"FAIL", "violated", "solver failed", "Not compared", "no result", "refuted"}) {
-    EXPECT_EQ(cell_verdict(bad), CellVerdict::bad) << bad;
-  }
-  for (const char* neutral :
-       {"not selected", "out of range", "not decidable", "Not supplied", "skipped"}) {
-    EXPECT_EQ(cell_verdict(neutral), CellVerdict::neutral) << neutral;
-  }
-  EXPECT_EQ(cell_verdict("low-pass filter"), CellVerdict::none);
-}
-
-TEST(CellVerdicts, MayGoOnAfterAColon) {
-  EXPECT_EQ(cell_verdict("pass: 0.3 ± 0.1 %"), CellVerdict::good);
-  EXPECT_EQ(cell_verdict("inconclusive"), CellVerdict::unsure);
-  EXPECT_EQ(verdict_sign(cell_verdict("inconclusive: 3 %")), "?");
-  EXPECT_EQ(cell_verdict("passes: 3"), CellVerdict::none);
+TEST(CellVerdicts, AreReadInAnyCaseFromTheWholeCellOrBeforeAColon) {
+  const std::pair<CellVerdict, std::vector<const char*>> kinds[]{
+      {CellVerdict::good, {"pass", "PASS", "Confirmed", "validated", "pass: 0.3 ± 0.1 %"}},
+      {CellVerdict::bad,
+       {"FAIL", "violated", "solver failed", "Not compared", "no result", "refuted"}},
+      {CellVerdict::neutral,
+       {"watched, not validated", "not selected", "out of range", "not decidable", "Not supplied",
+        "skipped"}},
+      {CellVerdict::unsure, {"inconclusive", "inconclusive: 3 %"}},
+      {CellVerdict::none, {"low-pass filter", "passes: 3"}}};
+  for (const auto& [kind, cells] : kinds)
+    for (const char* cell : cells) EXPECT_EQ(cell_verdict(cell), kind) << cell;
+  EXPECT_EQ(verdict_sign(CellVerdict::unsure), "?");
 }
 
 TEST(NumericCells, AreNumbersWithOrWithoutUnitAndUncertainty) {

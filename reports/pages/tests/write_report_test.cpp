@@ -16,6 +16,7 @@
 #include "reports/pages/report_documents.hpp"
 #include "reports/tests/sample_report.hpp"
 #include "reports/tests/test_environment.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::reports::write_report_test {
 namespace {
@@ -74,7 +75,7 @@ TEST(WrittenReport, StandsAloneAndTellsItsVerdictBeforeAllElse) {
     write_report(report, scratch / "report");
     const std::string page = read_text(scratch / "report/index.html");
     EXPECT_LT(page.find("class=\"verdict"), page.find("<nav"));
-    EXPECT_NE(page.find(shown), std::string::npos);
+    EXPECT_TRUE(holds(page, shown));
   }
   const std::string page = read_text(scratch / "report/index.html");
   EXPECT_EQ(occurrences(page, "://"), occurrences(page, "xmlns=\"http://www.w3.org/2000/svg\""));
@@ -83,7 +84,7 @@ TEST(WrittenReport, StandsAloneAndTellsItsVerdictBeforeAllElse) {
   for (const char* part :
        {"Figure 4. Pressure in the rolling tank", "Figure 5. Error against run time",
         "alt=\"Pressure in the rolling tank. Panels: SPH &lt;recommended&gt;"})
-    EXPECT_NE(page.find(part), std::string::npos) << part;
+    EXPECT_TRUE(holds(page, part)) << part;
 }
 
 TEST(WrittenReport, LeadsFromItsBannerToTheRowThatDecides) {
@@ -96,9 +97,8 @@ TEST(WrittenReport, LeadsFromItsBannerToTheRowThatDecides) {
   report.doubts = {"doubtful: sph <coarse>"};
   write_report(report, scratch / "report");
   const std::string page = read_text(scratch / "report/index.html");
-  EXPECT_NE(page.find("Decided by <a href=\"#section-" + section.id +
-                      "\">surge: 10 mm &lt;coarse&gt;</a>: 7 % &gt; 5 %."),
-            std::string::npos);
+  EXPECT_TRUE(holds(page, "Decided by <a href=\"#section-" + section.id +
+                              "\">surge: 10 mm &lt;coarse&gt;</a>: 7 % &gt; 5 %."));
   EXPECT_LT(page.find("4 of 5 rows are judged."), page.find(report.subtitle));
   EXPECT_LT(page.find("doubtful: sph &lt;coarse&gt;"), page.find("4 of 5 rows are judged."));
   report.decision.row.anchor = "row-nowhere";
@@ -142,11 +142,11 @@ TEST(PagedReport, HasAFileForEachPageWithItsOwnSectionsAndVerdict) {
   EXPECT_EQ(occurrences(first, "<figure"), 0u);
   EXPECT_EQ(occurrences(waves, "<figure"), 4u);
   EXPECT_EQ(occurrences(cost, "<figure"), 1u);
-  EXPECT_NE(cost.find("Figure 1. Error against run time"), std::string::npos);
-  EXPECT_NE(waves.find("<h1>Waves &amp; wind</h1>"), std::string::npos);
+  EXPECT_TRUE(holds(cost, "Figure 1. Error against run time"));
+  EXPECT_TRUE(holds(waves, "<h1>Waves &amp; wind</h1>"));
   EXPECT_EQ(occurrences(waves, "class=\"verdict good\""), 1u);
   EXPECT_EQ(occurrences(cost, "class=\"verdict"), 0u);
-  EXPECT_NE(first.find("<a href=\"cost.html#row-runs-2\">"), std::string::npos);
+  EXPECT_TRUE(holds(first, "<a href=\"cost.html#row-runs-2\">"));
 }
 
 TEST(PagedReport, LeadsFromAPageToItsAppendixAndNotFromTheFirst) {
@@ -155,10 +155,9 @@ TEST(PagedReport, LeadsFromAPageToItsAppendixAndNotFromTheFirst) {
   const ScratchDirectory scratch;
   write_report(report, scratch / "report");
   const std::string first = read_text(scratch / "report/index.html");
-  EXPECT_EQ(first.find("href=\"cost.html\">"), std::string::npos);
-  EXPECT_NE(first.find("<li><a class=\"glance-title\" href=\"waves.html\">"), std::string::npos);
-  EXPECT_NE(read_text(scratch / "report/waves.html").find("<li><a href=\"cost.html\""),
-            std::string::npos);
+  EXPECT_FALSE(holds(first, "href=\"cost.html\">"));
+  EXPECT_TRUE(holds(first, "<li><a class=\"glance-title\" href=\"waves.html\">"));
+  EXPECT_TRUE(holds(read_text(scratch / "report/waves.html"), "<li><a href=\"cost.html\""));
 }
 
 TEST(PagedReport, LosesThePagesThatANewerOneHasNot) {
@@ -178,7 +177,7 @@ TEST(WrittenReport, ReplacesTheOldOneWhole) {
   second.title = "second";
   second.sections.pop_back();
   write_report(second, scratch / "report");
-  EXPECT_NE(read_text(scratch / "report/index.html").find("<h1>second</h1>"), std::string::npos);
+  EXPECT_TRUE(holds(read_text(scratch / "report/index.html"), "<h1>second</h1>"));
   EXPECT_FALSE(fs::exists(scratch / "report/figures/cost.svg"));
   EXPECT_EQ(entries(scratch.path()), 1u);
 }
@@ -233,7 +232,7 @@ TEST(WrittenReport, LosesNothingOfSomebodys) {
     for (int i = 0; i < 2; ++i) write_report(report, scratch / "report");
     const fs::path kept = file.native() + ".kept-1";
     EXPECT_EQ(read_text(fs::exists(kept) ? kept : file), "years of work") << own;
-    EXPECT_NE(read_text(scratch / "report/index.html").find("<html"), std::string::npos) << own;
+    EXPECT_TRUE(holds(read_text(scratch / "report/index.html"), "<html")) << own;
     EXPECT_TRUE(fs::is_directory(scratch / "report/figures"));
   }
   const ScratchDirectory scratch;

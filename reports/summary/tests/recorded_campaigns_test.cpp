@@ -8,6 +8,7 @@
 
 #include "reports/pages/check_report.hpp"
 #include "reports/summary/results_json.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh::recorded_campaigns_test {
@@ -101,8 +102,7 @@ TEST(RecordedCampaigns, StandOnOnePageWithTheBandOfEachModel) {
   const reports::Table& table = report.sections[1].tables.at(0);
   EXPECT_EQ(table.rows.at(1).at(0), "violated");
   EXPECT_EQ(table.rows.at(1).at(1), "others");
-  EXPECT_NE(report.sections[1].paragraphs.at(0).find("bad/results.json: no JSON"),
-            std::string::npos);
+  EXPECT_TRUE(holds(report.sections[1].paragraphs.at(0), "bad/results.json: no JSON"));
   EXPECT_EQ(nlohmann::json::parse(report.results_json).at("exit_status"), 1);
 }
 
@@ -112,12 +112,9 @@ TEST(RecordedCampaigns, HaveTheWorstExitStatusOfAll) {
     for (const int status : statuses) campaigns.push_back({"a", false, status, 0, 0, "", {}});
     return exit_status(campaigns, {});
   };
-  EXPECT_EQ(worst({0, 5, 0}), 5);
-  EXPECT_EQ(worst({5, 4}), 4);
-  EXPECT_EQ(worst({4, 1, 0}), 1);
-  EXPECT_EQ(worst({1, 3}), 3);
-  EXPECT_EQ(worst({0}), 0);
-  EXPECT_EQ(worst({}), 4);
+  for (const auto& [statuses, expected] : std::vector<std::pair<std::vector<int>, int>>{
+           {{0, 5, 0}, 5}, {{5, 4}, 4}, {{4, 1, 0}, 1}, {{1, 3}, 3}, {{0}, 0}, {{}, 4}})
+    EXPECT_EQ(worst(statuses), expected);
   const std::vector<RecordedCampaign> passed{{"a", false, 0, 0, 0, "", {}}},
       violated{{"a", false, 1, 0, 0, "", {}}};
   EXPECT_EQ(exit_status(passed, {"a report that could not be read"}), 4);

@@ -287,10 +287,9 @@ TEST(CostRow, IsReportedWithAllOthersAndAsksForTimingsWhereItIsInconclusive) {
   CaseAssessment assessment = judged({cost_row(0.0707, 30)}, five_timings(1.31));
   assessment.definition.refinements = {
       {"spacing", RefinedNumber::particle_spacing, {"coarse", "medium", "fine"}}};
-  EXPECT_FALSE(refinement_table(assessment));  // the cost is no metric of one run
-  const auto remedies = remedy_table(assessment);
-  ASSERT_TRUE(remedies);
-  EXPECT_NE(remedies->rows.at(0).back().find("times as many timings"), std::string::npos);
+  EXPECT_TRUE(refinement_table(assessment).rows.empty());  // the cost is no metric of one run
+  EXPECT_NE(remedy_table(assessment).rows.at(0).back().find("times as many timings"),
+            std::string::npos);
 }
 
 TEST(CostRow, DetectsASpoiledSeries) {

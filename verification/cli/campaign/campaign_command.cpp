@@ -25,8 +25,7 @@
 #include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/legible_text.hpp"
 #include "verification/input/case_file_error.hpp"
-#include "verification/texts/assessment_text.hpp"
-#include "verification/texts/campaign_plan_text.hpp"
+#include "verification/texts/campaign_text.hpp"
 
 namespace slosh {
 namespace {

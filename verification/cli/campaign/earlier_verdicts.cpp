@@ -32,8 +32,7 @@ reports::GateDocument superseded_gate(const std::string& campaign, int status,
                                       const std::string& why) {
   return {.title = campaign,
           .verdict = headline_word(exit_not_compared) + ": " + why,
-          .entries = {bare_entry(campaign, "the campaign", reports::GateOutcomeKind::not_compared,
-                                 why)},
+          .entries = {bare_entry(campaign, "the campaign", Verdict::not_compared, why)},
           .exit_status = status};
 }
 

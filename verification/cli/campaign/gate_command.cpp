@@ -12,7 +12,7 @@
 #include "verification/cli/campaign/gate_files.hpp"
 #include "verification/cli/campaign/printed_headline.hpp"
 #include "verification/files/protected_inputs.hpp"
-#include "verification/texts/assessment_text.hpp"
+#include "verification/texts/campaign_text.hpp"
 
 namespace slosh {
 namespace {

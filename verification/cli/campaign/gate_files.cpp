@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
-#include "reports/summary/headline.hpp"
 #include "reports/tables/case_tables.hpp"
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
@@ -18,27 +16,6 @@ namespace slosh {
 namespace {
 
 namespace fs = std::filesystem;
-using reports::GateOutcomeKind;
-
-GateOutcomeKind kind_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return GateOutcomeKind::pass;
-    case Verdict::violated:
-      return GateOutcomeKind::violated;
-    case Verdict::inconclusive:
-      return GateOutcomeKind::inconclusive;
-    case Verdict::solver_failed:
-      return GateOutcomeKind::solver_failed;
-    case Verdict::not_compared:
-      return GateOutcomeKind::not_compared;
-    case Verdict::not_selected:
-    case Verdict::not_supplied:
-      return GateOutcomeKind::skipped;
-  }
-  throw std::logic_error("a verdict without a kind");
-}
-
 // The path that a code forge knows the file by: relative to the source tree, or to the current
 // directory, whichever it lies below; for a case of another repository that is the latter.
 std::string path_in_repository(const fs::path& source, const fs::path& file) {
@@ -49,12 +26,16 @@ std::string path_in_repository(const fs::path& source, const fs::path& file) {
   return file.string();
 }
 
+bool is_skipped(const reports::GateEntry& entry) {
+  return entry.verdict == Verdict::not_selected || entry.verdict == Verdict::not_supplied;
+}
+
 // Fills in what rows of cases and of problems have in common: all but the name, the value and the
 // change since the baseline.
 template <class Outcome>
 reports::GateEntry entry_in(const std::string& group, const Outcome& outcome,
                             const fs::path& source) {
-  return {.outcome = kind_of(outcome.verdict),
+  return {.verdict = outcome.verdict,
           .group = group,
           .name = "",
           .message = outcome.message,
@@ -76,13 +57,11 @@ void add_movement(const std::string& row, const GateFindings& findings, reports:
   if (moved == findings.movements.end()) return;
   entry.lower = moved->after->lower;
   entry.upper = moved->after->upper;
-  const bool is_bad =
-      entry.outcome != GateOutcomeKind::pass && entry.outcome != GateOutcomeKind::skipped;
+  const bool is_bad = entry.verdict != Verdict::pass && !is_skipped(entry);
   const bool is_told = moved->has_changed() || is_bad;
   if (findings.has_baseline && is_told) entry.moved = movement_text(*moved);
   entry.loosened = moved->loosened;
-  if (moved->loses_validation() && entry.outcome == GateOutcomeKind::pass)
-    entry.outcome = GateOutcomeKind::lost;
+  entry.lost = moved->loses_validation() && entry.verdict == Verdict::pass;
 }
 
 reports::GateEntry entry_of(const CaseAssessment& assessment, const GateOutcome& outcome,
@@ -112,8 +91,8 @@ reports::GateEntry entry_of(const RowMovement& lost) {
   const std::size_t colon = std::min(lost.row.find(": "), lost.row.size());
   reports::GateEntry entry =
       bare_entry(lost.row.substr(0, colon), lost.row.substr(std::min(colon + 2, lost.row.size())),
-                 lost.loses_validation() ? GateOutcomeKind::lost : GateOutcomeKind::skipped,
-                 "the baseline has the row, and no approval takes it out");
+                 Verdict::not_selected, "the baseline has the row, and no approval takes it out");
+  entry.lost = lost.loses_validation();
   entry.moved = movement_text(lost);
   if (lost.before->terms) entry.kind = lost.before->terms->kind;
   return entry;
@@ -124,32 +103,30 @@ void add_open_run(const std::string& group, const std::string& name, const RunSt
                   reports::GateDocument& document) {
   if (status.state != RunState::failed && status.state != RunState::missing) return;
   const auto [verdict, message] = obstacle_of(name, status).value();
-  document.entries.push_back(bare_entry(group, name, kind_of(verdict), message));
+  document.entries.push_back(bare_entry(group, name, verdict, message));
 }
 
 // Adds the verdict itself where it is none of a row or a run: nothing was judged, or no pair of a
 // case could be compared.
 void add_bare_verdict(const std::string& campaign, const GateFindings& findings,
                       reports::GateDocument& document) {
-  const auto passes = [&](GateOutcomeKind outcome) {
-    return outcome == GateOutcomeKind::pass || outcome == GateOutcomeKind::skipped ||
-           (outcome == GateOutcomeKind::inconclusive && findings.inconclusive_passes);
+  const auto passes = [&](const reports::GateEntry& one) {
+    return !one.lost && (one.verdict == Verdict::pass || is_skipped(one) ||
+                         (one.verdict == Verdict::inconclusive && findings.inconclusive_passes));
   };
-  const bool is_told =
-      std::any_of(document.entries.begin(), document.entries.end(),
-                  [&](const reports::GateEntry& one) { return !passes(one.outcome); });
+  const bool is_told = !std::all_of(document.entries.begin(), document.entries.end(), passes);
   const bool all_pass = findings.status == exit_pass ||
                         (findings.status == exit_inconclusive && findings.inconclusive_passes);
   if (!all_pass && !is_told)
     document.entries.push_back(
-        bare_entry(campaign, "the campaign", GateOutcomeKind::not_compared, document.verdict));
+        bare_entry(campaign, "the campaign", Verdict::not_compared, document.verdict));
 }
 
 }  // namespace
 
-reports::GateEntry bare_entry(const std::string& group, const std::string& name,
-                              reports::GateOutcomeKind outcome, const std::string& message) {
-  return {.outcome = outcome,
+reports::GateEntry bare_entry(const std::string& group, const std::string& name, Verdict verdict,
+                              const std::string& message) {
+  return {.verdict = verdict,
           .group = group,
           .name = name,
           .message = message,
@@ -167,11 +144,12 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed, const Gate
   const std::string changes =
       findings.has_baseline ? changes_sentence(findings.movements)
                             : "There is no baseline: nothing is compared with earlier figures.";
+  const std::vector<HeadlineLine> lines = headline_lines(assessed.cases, assessed.problems);
   reports::GateDocument document{
       .title = assessed.definition.title,
-      .verdict = verdict_text(assessed, findings.status),
+      .verdict = verdict_text(assessed, lines, findings.status),
       .entries = {},
-      .standings = headline_table(headline_lines(assessed.cases, assessed.problems)),
+      .standings = headline_table(lines),
       .basis = rows_text(assessed) + (changes.empty() ? "" : " " + changes),
       .speed = speed_sentence(assessed.cases),
       .exit_status = findings.status,

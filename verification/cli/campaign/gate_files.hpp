@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/gate_documents/gate_document.hpp"
+#include "reports/summary/gate_document.hpp"
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/cli/campaign/requested_campaign.hpp"
 
@@ -28,8 +28,8 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed, const Gate
                                     const std::filesystem::path& source);
 
 // Returns an entry without a value, as of a run or of the campaign itself.
-reports::GateEntry bare_entry(const std::string& group, const std::string& name,
-                              reports::GateOutcomeKind outcome, const std::string& message);
+reports::GateEntry bare_entry(const std::string& group, const std::string& name, Verdict verdict,
+                              const std::string& message);
 
 inline constexpr const char *junit_name = "junit.xml", *gate_page_name = "gate.md";
 

@@ -4,19 +4,20 @@
 
 #include <algorithm>
 
-#include "reports/summary/headline.hpp"
-#include "reports/summary/worst_first.hpp"
+#include "reports/summary/shown_rows.hpp"
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/evidence/soundness.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 
 namespace slosh {
 
-std::string verdict_text(const AssessedCampaign& assessed, int status) {
+std::string verdict_text(const AssessedCampaign& assessed, const std::vector<HeadlineLine>& lines,
+                         int status) {
   const auto& [definition, output, cases, problems] = assessed;
   auto [lead, row, finding] = decision_of(cases, problems);
   if (status == exit_solver_failed) finding = "";  // the complaint about the run has it
-  const std::string sentence = headline_sentence(cases, problems);
+  const std::string sentence =
+      lines.empty() ? verdict_sentence(cases, problems) : headline_sentence(lines);
   std::string decision;
   if (!row.text.empty())
     decision = fmt::format(" {} {}{}", lead, row.text, finding.empty() ? "." : ": " + finding);
@@ -26,16 +27,17 @@ std::string verdict_text(const AssessedCampaign& assessed, int status) {
       finding.substr(0, std::min(remedy, finding.size() - finding.ends_with('.')));
   if (!told.empty() && sentence.find(told) != sentence.npos)
     decision = remedy == finding.npos ? "" : finding.substr(remedy + 1);
-  return fmt::format("{}: {}{}", headline_word(status, cases, problems), sentence, decision);
+  return fmt::format("{}: {}{}", headline_word(status, lines), sentence, decision);
 }
 
 std::string headline_text(const AssessedCampaign& assessed, int status) {
   const auto& [definition, output, cases, problems] = assessed;
-  std::string text = verdict_text(assessed, status);
+  const std::vector<HeadlineLine> lines = headline_lines(cases, problems);
+  std::string text = verdict_text(assessed, lines, status);
   for (const CaseAssessment& one : cases)
     if (const std::string doubt = doubtful_runs(one.definition, one.runs); !doubt.empty())
       text += "\n" + doubt;
-  for (const HeadlineLine& line : headline_lines(cases, problems))
+  for (const HeadlineLine& line : lines)
     text += fmt::format("\n{:<22} {}: {}{}", line.standing, line.name, line_text(line),
                         has_numbers(line) ? "; decided by " + line.decides : "");
   return text;

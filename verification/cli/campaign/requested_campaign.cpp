@@ -23,7 +23,7 @@
 #include "verification/problems/problem_list.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
-#include "verification/texts/assessment_text.hpp"
+#include "verification/texts/campaign_text.hpp"
 
 namespace slosh {
 namespace {

@@ -5,6 +5,8 @@
 
 #include <sstream>
 
+#include "verification/tests/messages.hpp"
+
 namespace slosh::progress_display_test {
 namespace {
 
@@ -89,8 +91,7 @@ TEST(ProgressDisplay, ErasesItsLiveLinesBeforeItWritesAnew) {
   display.show({state_of("sph", JobPhase::running), state_of("vof", JobPhase::running)});
   stream.str("");
   display.show({state_of("sph", JobPhase::exited), state_of("vof", JobPhase::running)});
-  EXPECT_EQ(stream.str().find(up + up + up + "finished sph in 0:10\nrunning  vof"), 0u)
-      << stream.str();
+  EXPECT_TRUE(begins(stream.str(), up + up + up + "finished sph in 0:10\nrunning  vof"));
   stream.str("");
   display.erase_live_lines();
   EXPECT_EQ(stream.str(), up + up);
@@ -109,7 +110,7 @@ TEST(ProgressDisplay, FollowsATerminalThatIsResized) {
   stream.str("");
   style.columns = 30;
   display.show(states);
-  EXPECT_TRUE(stream.str().starts_with(up + up + up + "running"))
+  EXPECT_TRUE(begins(stream.str(), up + up + up + "running"))
       << "the line of " << length << " columns stands in three rows of 30";
   EXPECT_EQ(stream.str().find('\n', 3 * up.size()), stream.str().size() - 1);
   EXPECT_LT(stream.str().size(), 3 * up.size() + 31);
@@ -148,6 +149,52 @@ TEST(ProgressDisplay, NeitherMovesTheCursorNorColoursOutsideATerminal) {
   if (isatty(STDERR_FILENO)) GTEST_SKIP() << "standard error is a terminal here";
   EXPECT_FALSE(style_of(STDERR_FILENO).live);
   EXPECT_FALSE(style_of(STDERR_FILENO).colour);
+}
+
+JobState job(JobPhase phase, double expected, double wall = 0) {
+  JobState state;
+  state.phase = phase;
+  state.job.expected_time = expected;
+  state.wall_time = wall;
+  return state;
+}
+
+TEST(TimeLeft, LearnsFromWhatEndedJobsTookAndNothingFromAJobThatFailed) {
+  std::vector<JobState> states(11, job(JobPhase::exited, 100, 200));
+  states.push_back(job(JobPhase::waiting, 50));
+  EXPECT_NEAR(time_left(states, 2).value(), 100, 1);
+  JobState failed = job(JobPhase::exited, 100, 1);
+  failed.status = 3;
+  EXPECT_DOUBLE_EQ(time_left({failed, job(JobPhase::waiting, 50)}, 1).value(), 50);
+}
+
+TEST(TimeLeft, BelievesARunningJobsOwnForecastOnceItIsUnderWay) {
+  JobState running = job(JobPhase::running, 10, 30);
+  running.progress = RunProgress{.time = 5, .end_time = 20, .steps = 1};
+  EXPECT_DOUBLE_EQ(time_left({running}, 1).value(), 90);
+  running.progress->time = 0.01;
+  EXPECT_DOUBLE_EQ(time_left({running}, 1).value(), 0) << "three times its time has gone by";
+}
+
+TEST(TimeLeft, SharesTheCoresAmongJobsThatWaitAsManyAsEachTakesAndAddsThoseThatRunAlone) {
+  JobState timing = job(JobPhase::waiting, 40), wide = job(JobPhase::waiting, 60);
+  timing.job.alone = true;
+  wide.job.cores = 4;
+  const std::vector<JobState> states(8, job(JobPhase::waiting, 30));
+  EXPECT_DOUBLE_EQ(time_left(states, 2).value(), 120);
+  EXPECT_DOUBLE_EQ(time_left(states, 100).value(), 30) << "no less than the longest";
+  EXPECT_DOUBLE_EQ(time_left({states[0], timing, timing}, 4).value(), 110);
+  EXPECT_DOUBLE_EQ(time_left({wide, wide}, 8).value(), 60);
+  EXPECT_DOUBLE_EQ(time_left({wide, wide}, 4).value(), 120);
+  EXPECT_FALSE(time_left({job(JobPhase::waiting, 0)}, 1)) << "nothing is known of it";
+  EXPECT_TRUE(time_left({job(JobPhase::exited, 0)}, 1));
+}
+
+TEST(TimeLeft, IsToldInTheUnitThatItHas) {
+  EXPECT_EQ(rough_time(41.7), "42 s");
+  EXPECT_EQ(rough_time(185), "3 min");
+  EXPECT_EQ(rough_time(9000), "2.5 h");
+  EXPECT_EQ(clock_time(3750), "1:02:30");
 }
 
 }  // namespace

@@ -130,6 +130,7 @@ TEST_F(Soundness, IsToldOfARowOnWhatTheRunRecordsOfItselfAndKeepsItFromNothing) 
   record("mach_number", 0.42);
   EXPECT_EQ(judged().verdict, Verdict::pass) << judged().message;
   EXPECT_NE(judged().remarks.find("doubtful: particles is not sound"), std::string::npos);
+  EXPECT_TRUE(judged().is_doubtful);
 }
 
 // What a run of Slosh records where c0 is twice the expected speed, and ten times.

@@ -1,0 +1,151 @@
+#include "verification/texts/result_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "verification/tests/messages.hpp"
+#include "verification/tests/sample_case.hpp"
+
+namespace slosh::result_text_test {
+namespace {
+
+RunResult swaying(double duration) {
+  RunResult result;
+  result.solver = "sph";
+  result.cost = {.wall_time = 2,
+                 .user_time = 1.25,
+                 .system_time = 0.25,
+                 .peak_memory = 50.0 * 1024 * 1024,
+                 .steps = 1000,
+                 .elements = 140};
+  TimeSeries series{"elevation@right", "m", {}, {}};
+  for (int i = 0; i * 0.02 < duration; ++i) {
+    series.time.push_back(i * 0.02);
+    series.value.push_back(0.03 * (1 - 1e-3 * series.time.back()) *
+                           std::sin(2 * std::numbers::pi * series.time.back() / 1.6));
+  }
+  result.series = {series};
+  return result;
+}
+
+const RunDefinition particles = sample_run(
+    SphRun{.scheme = "recommended", .particle_spacing = 0.05, .surface_particle_spacing = 0.05});
+
+TEST(RunSummary, TellsThePeaksAndThePeriodOfEachGaugeAndWhatTheRunTook) {
+  const std::string text = run_summary(swaying(16), sample_case(), particles);
+  for (const char* line :
+       {"elevation@right: highest 0.03 m at 0.4 s, lowest -0.03 m at 1.2 s, period 1.6 s (spectral "
+        "peak)\n",
+        "cost: 1.5 core-seconds in 2 s of wall time, 50 MiB; 140 particles\n"})
+    EXPECT_TRUE(holds(text, line)) << text;
+  EXPECT_TRUE(holds(run_summary(swaying(0.05), sample_case(), particles), "lowest 0 m at 0 s\n"))
+      << "too short a series has no period";
+}
+
+TEST(RunSummary, TellsHowMuchTheSamplesShortenTheStep) {
+  RunResult result = swaying(16);
+  CaseDefinition definition = sample_case();
+  const SphStep step = sph_step(definition, particles).value();
+  result.cost.steps = definition.duration / step.between_samples;
+  EXPECT_TRUE(holds(run_summary(result, definition, particles),
+                    "each: landing on the samples every 20 ms shortens the stable "));
+  EXPECT_FALSE(holds(run_summary(result, definition, particles), "accelerations"));
+  result.cost.steps *= 1.25;
+  EXPECT_TRUE(holds(run_summary(result, definition, particles),
+                    "; the flow's accelerations to a mean of "));
+  EXPECT_EQ(step_text({0.001, 0.0008}, 0.004),
+            "0.8 ms each: landing on the samples every 4 ms shortens the stable 1 ms by 20 %");
+  EXPECT_EQ(step_text({0.0005, 0.0005}, 0.01),
+            "0.5 ms each: landing on the samples every 10 ms costs nothing");
+}
+
+TEST(RunSummary, TellsTheSpeedThatACoarseRunMeasuredAndTheStepThatFollowsFromIt) {
+  RunResult result = swaying(16);
+  result.cost.steps = 1000;
+  EXPECT_FALSE(holds(run_summary(result, sample_case(), particles), "coarse run"));
+  result.diagnostics = {
+      {"speed_of_sound_m_s", 40}, {"expected_speed_m_s", 4}, {"coarse_run_spacing_m", 0.03}};
+  EXPECT_TRUE(holds(run_summary(result, sample_case(), particles),
+                    "speed of sound: 40 m/s, 10 times the 4 m/s that a coarse run at 30 mm "
+                    "measured\n"));
+  const SphStep step = sph_step(sample_case(), particles, 4).value();
+  EXPECT_NEAR(step.stable / sph_step(sample_case(), particles, 8)->stable, 2, 0.2);
+  EXPECT_TRUE(holds(run_summary(result, sample_case(), particles),
+                    step_text(step, sample_case().sample_interval)));
+}
+
+TEST(RunSummary, TellsNoStepsOfAnotherSolver) {
+  RunResult result = swaying(16);
+  result.solver = "linear";
+  result.cost.elements = 0;
+  const std::string text = run_summary(result, sample_case(), sample_run(LinearRun{}));
+  EXPECT_FALSE(holds(text, "steps"));
+  EXPECT_FALSE(holds(text, "particles"));
+}
+
+RunResult result_of(const std::vector<TimeSeries>& series) {
+  RunResult result{};
+  result.series = series;
+  return result;
+}
+
+TEST(SeriesCsv, HasAColumnOfEachSeriesWithItsUnit) {
+  EXPECT_EQ(series_csv(result_of({{"elevation@right", "m", {0, 0.1}, {0, 1.0 / 3}},
+                                  {"force_x", "N/m", {0, 0.1}, {-1e-7, 2}}})),
+            "time [s],elevation@right [m],force_x [N/m]\n"
+            "0,0,-1e-07\n"
+            "0.1,0.3333333333333333,2\n");
+}
+
+TEST(SeriesCsv, LeavesACellEmptyWhereASeriesHasNoValue) {
+  EXPECT_EQ(series_csv(result_of({{"a", "m", {0, 2}, {1, 2}}, {"b", "Pa", {1, 2, 3}, {3, 4, 5}}})),
+            "time [s],a [m],b [Pa]\n"
+            "0,1,\n"
+            "1,,3\n"
+            "2,2,4\n"
+            "3,,5\n");
+}
+
+TEST(SeriesCsv, RefusesTimesThatDoNotIncrease) {
+  EXPECT_THROW(series_csv(result_of({{"a", "m", {0, 2, 2}, {1, 2, 3}}})), ResultError);
+}
+
+CaseTheories theories() {
+  CaseTheories theories{};
+  theories.result.series = {{"elevation@right/linear", "m", {0, 1}, {0, 0.01}}};
+  theories.remarks = {{"linear", "linear flow", "small waves", "none"}};
+  return theories;
+}
+
+CaseDefinition definition() {
+  CaseDefinition definition{};
+  definition.name = "surge";
+  definition.title = "A surge";
+  definition.source = "made for a test,\nin two lines";
+  return definition;
+}
+
+TEST(TheoryCsv, TellsTheRangeAndTheUncertaintyInCommentsAboveTheTable) {
+  EXPECT_EQ(theory_csv(definition(), theories()),
+            "# Case surge: A surge\n"
+            "# Source: made for a test,\n"
+            "# in two lines\n"
+            "# linear: linear flow\n"
+            "# linear, range: small waves\n"
+            "# linear, uncertainty: none\n"
+            "time [s],elevation@right/linear [m]\n"
+            "0,0\n"
+            "1,0.01\n");
+}
+
+TEST(TheoryCsv, TellsWhyATheoryIsOutsideItsRange) {
+  CaseTheories outside = theories();
+  outside.remarks[0].outside = "predicts too high a wave";
+  const std::string text = theory_csv(definition(), outside);
+  EXPECT_TRUE(holds(text, "# linear is outside its range: it predicts too high a wave\n"));
+}
+
+}  // namespace
+}  // namespace slosh::result_text_test
