@@ -171,8 +171,7 @@ TEST(RowUncertainty, OfACopyInNoiseIsUnknownToo) {
         meshes.runs.status[name] = {RunState::finished, ""};
       }
       const TimeSeries moved = scaled(wave, 1 + order * step);
-      meshes.runs.results[name] =
-          result_of(name, with_noise(moved, size, colour, seed++));
+      meshes.runs.results[name] = result_of(name, with_noise(moved, size, colour, seed++));
       step /= 4;
     }
     return meshes.judged().message;
