@@ -58,7 +58,7 @@ TEST_F(CampaignParser, ReadsTheShippedCampaignWhoseCasesAllParse) {
   const CampaignDefinition campaign =
       read_campaign(find_campaign("small_amplitude", campaigns), cases, problems);
   EXPECT_EQ(campaign.name, "small_amplitude");
-  ASSERT_EQ(campaign.cases.size(), 5u);
+  ASSERT_EQ(campaign.cases.size(), 6u);
   EXPECT_EQ(campaign.cases.front().stem(), "li2010_small_amplitude");
   EXPECT_EQ(campaign.cases.back().stem(), "li2010_resonant_T13_b050");
   for (const fs::path& file : campaign.cases) EXPECT_NO_THROW(read_case(file)) << file;
