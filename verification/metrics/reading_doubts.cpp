@@ -18,10 +18,15 @@ bool may_rest(double value, const SensorReadings& of) {
 
 // An impact leaves its neighbours too: a pressure rises, a load may pull. Impacts do not recur at
 // one value, as lost samples do.
-template <class Readings>
-bool may_be_real(const Readings& readings, const SensorReadings& of) {
-  if (readings.value) return may_rest(*readings.value, of);
-  return of.unit.starts_with("N") || (of.unit == "Pa" && readings.above);
+bool may_be_real(const IsolatedReadings& isolated, const SensorReadings& of) {
+  if (isolated.value) return may_rest(*isolated.value, of);
+  return of.unit.starts_with("N") || (of.unit == "Pa" && isolated.above);
+}
+
+// Between impacts a pressure and a load rest or fall along other curves than before and after.
+bool may_be_real(const LostStretches& lost, const SensorReadings& of) {
+  if (lost.value) return may_rest(*lost.value, of);
+  return of.unit.starts_with("N") || of.unit == "Pa";
 }
 
 // Stretches at the value of a flat are that flat.

@@ -68,7 +68,6 @@ TEST(ReadingDoubts, AreOfLostStretchesThatAreNoImpactAndNoFlat) {
   EXPECT_NE(doubts[0].find("7 stretches of the candidate, as from 1.5 to 1.7 s"), std::string::npos)
       << doubts[0];
   EXPECT_TRUE(doubts_of_readings(readings("N", limits)).empty());
-  limits.lost->above = true;
   EXPECT_TRUE(doubts_of_readings(readings("Pa", limits)).empty());
   limits.lost->value = 90.5;
   limits.highest = FlatExtreme{90, 1, 1.2, 30};

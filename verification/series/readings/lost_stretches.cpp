@@ -21,8 +21,7 @@ constexpr double times_whole = 2, times_once = 1.5, times_lines = 0.5;
 constexpr double sigma_whole = 20, sigma_once = 10;  // [variances of the noise]
 constexpr double uneven = 1.5;                       // the longest interval over the shortest
 constexpr double one_value = 0.015;                  // of the range
-constexpr double nearly_all = 0.9;
-constexpr double least_visible = 1e-12;  // of the range
+constexpr double least_visible = 1e-12;              // of the range
 
 // A series whose samples are each the mean of `group` of the first one.
 struct Grouped {
@@ -152,10 +151,8 @@ std::optional<LostStretches> lost_stretches(const TimeSeries& series) {
   const std::vector<Stretch> found = stretches_of(series, range);
   if (found.size() < fewest_stretches) return std::nullopt;
   std::vector<double> sizes, values;
-  double above = 0, below = 0;
   for (const Stretch& one : found) {
     sizes.push_back(std::abs(one.departure) * (one.end - one.begin));
-    (one.departure > 0 ? above : below) += sizes.back();
     values.push_back(one.value);
   }
   const double usual = median(sizes);
@@ -167,8 +164,7 @@ std::optional<LostStretches> lost_stretches(const TimeSeries& series) {
   if (!(hidden >= least_lost_share * swing)) return std::nullopt;
   const Stretch& worst =
       found[static_cast<std::size_t>(std::ranges::max_element(sizes) - sizes.begin())];
-  LostStretches told{found.size(), worst.begin, worst.end, hidden,
-                     above > nearly_all * (above + below)};
+  LostStretches told{found.size(), worst.begin, worst.end, hidden};
   const auto [lowest, highest] = std::ranges::minmax(values);
   if (highest - lowest <= 2 * one_value * range) told.value = median(values);
   return told;

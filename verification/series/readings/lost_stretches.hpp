@@ -26,7 +26,6 @@ struct LostStretches {
   std::size_t count;
   double begin, end;                 // of the one that is off most [s]
   double hidden;                     // by which a sample of the series is off in the mean
-  bool above = false;                // nearly all leave their curve upwards, as impacts do
   std::optional<double> value = {};  // where all are at one value
 };
 
