@@ -1,13 +1,13 @@
-// Samples of which many are low, as where echoes are weak. They leave their neighbours by a share
-// of the wave: by more at crests and in troughs than near the mean. The noise of a sensor is the
-// same everywhere. The departures are sixth differences, scaled so that white noise keeps its
-// deviation, in units of their mean in a wave (from up-crossing to up-crossing of the mean). They
-// grow by F = min(crests, troughs) / near the mean, where a crest or a trough is what lies beyond
-// 70 % of its wave's, and near the mean is what lies within 30 %; lost samples give 2 to 6. They
-// are told from F = 1.5 + 9 / sqrt(n) on, of n >= 320 samples, where the departures are
-// - 2 % of the standard deviation or more in the median of crests and troughs,
-// - rough there: eighth differences are as large, from 0.65 to 1.12, as of no smooth crest,
-// - all over the wave: half as large between crests and the mean as at crests, or nearly so,
+// Samples of which many are low, as where echoes are weak, leave their neighbours by a share of the
+// wave: by more at crests and in troughs than near the mean, where a sensor's noise is the same.
+// The departures are sixth differences, scaled so that white noise keeps its deviation, in units of
+// their mean in a wave (from up-crossing to up-crossing of the mean). They grow by F = min(crests,
+// troughs) / near the mean: beyond 70 % of the wave's crest or trough, and within 30 %. Lost
+// samples give 2 to 6. They are told from F = 1.5 + 9 / sqrt(n) on, of n >= 320, where the
+// departures are
+// - 2 % of the standard deviation or more in the median of crests and troughs, and rough there:
+//   eighth differences are as large, from 0.65 to 1.12, as of no smooth crest,
+// - all over the wave: at crests and in troughs 2.4 times as large as between at most,
 // and where crests and troughs take most of the wave, of 24 samples or more in the median.
 #pragma once
 
