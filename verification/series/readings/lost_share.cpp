@@ -36,9 +36,8 @@ struct Departures {
 
 std::optional<double> growth_of_departures(const TimeSeries& series) {
   const std::vector<double> value = without_mean(series.value);
-  const std::size_t size = value.size();
-  std::vector<double> course(size), sixth(size), eighth(size);
-  for (std::size_t i = beside; i + beside < size; ++i) {
+  std::vector<double> course(value.size()), sixth(course), eighth(course);
+  for (std::size_t i = beside; i + beside < value.size(); ++i) {
     course[i] = mean({&value[i - 3], &value[i + 4]});
     sixth[i] = difference<7>(&value[i], {1, -6, 15, -20, 15, -6, 1});
     eighth[i] = difference<9>(&value[i], {1, -8, 28, -56, 70, -56, 28, -8, 1});
@@ -46,13 +45,12 @@ std::optional<double> growth_of_departures(const TimeSeries& series) {
   Departures crest, trough, between, near, far_eighth;
   std::vector<double> lengths, far;
   std::size_t first = 0;
-  for (std::size_t i = beside + 1; i + beside < size; ++i) {
+  for (std::size_t i = beside + 1; i + beside < value.size(); ++i) {
     if (course[i - 1] >= 0 || course[i] < 0 || (first > 0 && i - first < least_wave)) continue;
     const std::size_t begin = std::exchange(first, i);
-    if (begin == 0) continue;
     const auto [low, high] = std::minmax_element(&course[begin], &course[i]);
     const double scale = mean({&sixth[begin], &sixth[i]});
-    if (!(scale > 0)) continue;
+    if (begin == 0 || !(scale > 0)) continue;
     lengths.push_back(static_cast<double>(i - begin));
     for (std::size_t k = begin; k < i; ++k) {
       const bool at_crest = course[k] >= far_from_mean * *high;

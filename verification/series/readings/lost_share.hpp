@@ -2,9 +2,8 @@
 // wave: by more at crests and in troughs than near the mean, where a sensor's noise is the same.
 // The departures are sixth differences, scaled so that white noise keeps its deviation, in units of
 // their mean in a wave (from up-crossing to up-crossing of the mean). They grow by F = min(crests,
-// troughs) / near the mean: beyond 70 % of the wave's crest or trough, and within 30 %. Lost
-// samples give 2 to 6. They are told from F = 1.5 + 9 / sqrt(n) on, of n >= 320, where the
-// departures are
+// troughs) / near the mean: beyond 70 % of the wave's crest or trough, and within 30 %. They
+// are told from F = 1.5 + 9 / sqrt(n) on, of n >= 320 samples, where the departures are
 // - 2 % of the standard deviation or more in the median of crests and troughs, and rough there:
 //   eighth differences are as large, from 0.65 to 1.12, as of no smooth crest,
 // - all over the wave: at crests and in troughs 2.4 times as large as between at most,

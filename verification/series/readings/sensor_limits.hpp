@@ -24,8 +24,7 @@
 // samples leave theirs by or more, and by 5 times what these neighbours leave theirs by or more.
 // They are told where all samples are off by 1 % of the mean departure from the mean in the mean.
 // Flats are sought without them. Lost stretches (lost_stretches.hpp) are sought where the readings
-// are neither sparse nor isolated nor in steps, low samples (lost_share.hpp) where nothing else is
-// told.
+// are neither sparse nor isolated nor in steps, low samples (lost_share.hpp) where no doubt is.
 #pragma once
 
 #include <cstddef>
