@@ -13,8 +13,8 @@
 namespace slosh {
 namespace {
 
-constexpr std::size_t beside = 4, least_wave = 12, usual_wave = 24, fewest_waves = 4;
-constexpr double fewest_samples = 320, least_growth = 1.5, growth_by_chance = 9;
+constexpr std::size_t beside = 4, least_wave = 12, usual_wave = 24, fewest_judged_waves = 4;
+constexpr double fewest_judged = 320, least_growth = 1.5, growth_by_chance = 9;
 constexpr double far_from_mean = 0.7, near_mean = 0.3;  // of a crest or trough
 constexpr double least_departure = 0.02;                // of the standard deviation
 constexpr double least_white = 0.65, most_white = 1.12, most_of_between = 2.4, least_far = 1.8;
@@ -61,7 +61,7 @@ std::optional<double> growth_of_departures(const TimeSeries& series) {
     }
   }
   const double count = crest.count + trough.count + between.count + near.count;
-  if (lengths.size() < fewest_waves || count < fewest_samples) return std::nullopt;
+  if (lengths.size() < fewest_judged_waves || count < fewest_judged) return std::nullopt;
   const double far_mean = (crest.sum + trough.sum) / far_eighth.count;
   const double white = far_eighth.mean() / far_mean;
   const double growth = std::min(crest.mean(), trough.mean()) / near.mean();
