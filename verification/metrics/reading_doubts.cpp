@@ -55,7 +55,7 @@ void add_flat(const SensorReadings& of, const FlatExtreme& flat, const char* whi
 
 std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
   std::vector<std::string> doubts;
-  const auto& [range, step, highest, lowest, sparse, isolated, lost, roughness] = of.limits;
+  const auto& [range, step, highest, lowest, sparse, isolated, lost, roughness, growth] = of.limits;
   // A pressure rests at its lowest value alone.
   if (highest && (of.unit == "Pa" || !may_rest(highest->value, of)))
     add_flat(of, *highest, "highest", doubts);
@@ -85,6 +85,11 @@ std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
         "half of the samples of the {} leave their neighbours by {:.2g} of its deviation, as where "
         "two signals alternate",
         of.role, *roughness));
+  if (growth && !of.unit.starts_with("N") && of.unit != "Pa")
+    doubts.push_back(fmt::format(
+        "the samples of the {} leave their neighbours {:.2g} times as far at crests and in troughs "
+        "as near the mean, as where many of them are low",
+        of.role, *growth));
   return doubts;
 }
 

@@ -80,5 +80,13 @@ TEST(ReadingDoubts, AreOfSamplesThatAlternate) {
   EXPECT_EQ(doubts_of_readings(readings("N/m", limits)).size(), 1U);
 }
 
+// The spray of an impact grows with it.
+TEST(ReadingDoubts, AreOfDeparturesThatGrowWithTheWaveUnlessTheyMayBeImpacts) {
+  SensorLimits limits{100, {}, {}, {}};
+  limits.growth = 3;
+  for (const auto& [unit, is_told] : {std::pair{"m", 1U}, {"m/s", 1U}, {"Pa", 0U}, {"N/m", 0U}})
+    EXPECT_EQ(doubts_of_readings(readings(unit, limits)).size(), is_told) << unit;
+}
+
 }  // namespace
 }  // namespace slosh::reading_doubts_test

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "verification/series/readings/lost_share.hpp"
 #include "verification/series/sample_moments.hpp"
 #include "verification/series/windowed_series.hpp"
 
@@ -270,6 +271,9 @@ SensorLimits sensor_limits(const TimeSeries& whole, TimeWindow window) {
   TimeSeries part = finite_part(whole, window);
   SensorLimits limits = limits_of(part, window);
   if (!limits.step && !limits.sparse && !limits.isolated) limits.lost = lost_stretches(part);
+  const bool is_told = limits.step || limits.highest || limits.lowest || limits.sparse ||
+                       limits.isolated || limits.lost || limits.roughness;
+  if (!is_told) limits.growth = growth_of_departures(part);
   const double length = window.end - window.begin;
   for (const double around : {length, std::numeric_limits<double>::infinity()}) {
     TimeSeries more = finite_part(whole, {window.begin - around, window.end + around});

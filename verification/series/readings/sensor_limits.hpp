@@ -24,7 +24,7 @@
 // samples leave theirs by or more, and by 5 times what these neighbours leave theirs by or more.
 // They are told where all samples are off by 1 % of the mean departure from the mean in the mean.
 // Flats are sought without them. Lost stretches (lost_stretches.hpp) are sought where the readings
-// are neither sparse nor isolated nor in steps.
+// are neither sparse nor isolated nor in steps, low samples (lost_share.hpp) where no doubt is.
 #pragma once
 
 #include <cstddef>
@@ -58,6 +58,7 @@ struct SensorLimits {
   std::optional<IsolatedReadings> isolated = {};
   std::optional<LostStretches> lost = {};
   std::optional<double> roughness = {};  // of rough readings: that share of the deviation
+  std::optional<double> growth = {};     // lost_share.hpp, where nothing else is told
 };
 
 // What the readings hide inside of the window. A window that holds a part of a crest or few

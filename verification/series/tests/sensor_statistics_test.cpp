@@ -162,6 +162,7 @@ TEST(SensorStatistics, DoNotDoubtAShapeOfAWave) {
           const SensorLimits found = limits_of_all(noisy(of, interval, noise, seed));
           flat += found.highest || found.lowest;
           lost += found.lost.has_value();
+          EXPECT_FALSE(found.growth) << noise;
           EXPECT_FALSE((found.highest || found.lowest || found.lost) && noise < 0.01) << noise;
         }
       }
@@ -223,6 +224,35 @@ TEST(SensorStatistics, FindCrestsThatAreFilledByLines) {
     }
     EXPECT_GE(count, least) << interval << " " << noise << " " << gap;
   }
+}
+
+// Every n-th sample, or a share of them by chance, is low.
+TEST(SensorStatistics, FindManySamplesThatAreLow) {
+  struct Row {
+    int every;
+    double share, factor;
+  };
+  for (const auto& [every, share, factor] :
+       {Row{3, 0, 0.7}, Row{3, 0, 0.8}, Row{4, 0, 0.7}, Row{2, 0, 0.8}, Row{0, 0.3, 0.7},
+        Row{0, 0.33, 0.7}, Row{0, 0.5, 0.8}, Row{0, 0.6, 0.85}, Row{0, 0.4, 0.8},
+        Row{0, 0.35, 0.75}})
+    for (const double interval : {period / 26, 0.02})
+      for (const double noise : {1e-9, 0.01}) {
+        int count = 0;
+        for (unsigned seed = 1; seed <= 20; ++seed) {
+          std::mt19937 generator(seed);
+          std::bernoulli_distribution by_chance(share);
+          int sample = 0;
+          const auto low = [&](double t) {
+            const bool is_low = every > 0 ? ++sample % every == 0 : by_chance(generator);
+            return 1.1 * wave(t) * (is_low ? factor : 1);
+          };
+          const SensorLimits found = limits_of_all(noisy(low, interval, noise, seed));
+          count += found.growth || found.isolated || found.lost || found.highest || found.roughness;
+        }
+        EXPECT_GE(count, 19) << every << " " << share << " " << factor << " " << interval << " "
+                             << noise;
+      }
 }
 
 }  // namespace
