@@ -638,7 +638,9 @@ TEST_F(EarlierVerdict, IsReadAsItIsWritten) {
 TEST_F(GateVerdict, OfNothingIsProposedAsNoBaseline) {
   write_program("exit 1\n");
   ASSERT_EQ(campaign().status, 3);
-  EXPECT_EQ(on_ledger({"baseline", "propose"}, {"--new"}).status, 3);
+  const Ended ended = on_ledger({"baseline", "propose"}, {"--new"});
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_TRUE(holds(ended.out, "nothing to propose: no row has a value, and there is no baseline"));
 }
 
 }  // namespace
