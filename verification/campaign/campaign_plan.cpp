@@ -53,6 +53,10 @@ std::vector<std::string> run_command(const PlannedRun& planned, const CampaignSe
   return command;
 }
 
+fs::path link_to_result(const CampaignSettings& settings, const ProblemDefinition& problem) {
+  return settings.output / "problems" / (problem.name + ".json");
+}
+
 Job job_of(const PlannedRun& planned, const CampaignSettings& settings, const ExpectedCost& cost) {
   fs::path log = link_to_result(settings, *planned.definition, *planned.run);
   log.replace_extension(".log");
@@ -79,10 +83,11 @@ std::string key_of(const ProblemDefinition& problem, const CampaignSettings& set
 ProblemRun standing_problem(const ProblemDefinition& problem, const CampaignSettings& settings) {
   if (!names_problem(settings.selection, problem.name)) return {{RunState::not_selected, ""}, {}};
   const StandingResult standing = standing_result(key_of(problem, settings), ".json", settings);
+  if (standing.status.state == RunState::failed) hide_result(link_to_result(settings, problem));
   if (standing.status.state != RunState::finished) return {standing.status, {}};
   try {
     ProblemResult result = read_stored(standing.file, read_problem_result);
-    show_result(standing.file, settings.output / "problems" / (problem.name + ".json"));
+    show_result(standing.file, link_to_result(settings, problem));
     return {standing.status, std::move(result)};
   } catch (const ResultError& error) {
     return {{RunState::missing, error.what()}, {}};
@@ -104,10 +109,12 @@ Job job_for(const ProblemDefinition& problem, const CampaignSettings& settings) 
 
 ProblemRun ended_problem(const JobState& state, const ProblemDefinition& problem,
                          const CampaignSettings& settings) {
-  if (!has_succeeded(state))
+  if (!has_succeeded(state)) {
+    hide_result(link_to_result(settings, problem));
     return {status_without_result(
                 state, settings.store.file(key_of(problem, settings), failure_extension)),
             {}};
+  }
   return standing_problem(problem, settings);
 }
 
@@ -182,6 +189,13 @@ void show_result(const fs::path& result, const fs::path& link) {
   if (!foreign_at(link)) return link_own(result, link);
   std::cerr << fmt::format("{} is kept, as no campaign has made it: it is no link to {}\n",
                            link.string(), result.string());
+}
+
+void hide_result(const fs::path& link) {
+  std::error_code none;
+  if (!fs::is_symlink(link, none) || foreign_at(link)) return;
+  require_own(link);
+  fs::remove(link);
 }
 
 fs::path link_to_result(const CampaignSettings& settings, const CaseDefinition& definition,

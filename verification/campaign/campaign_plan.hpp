@@ -63,6 +63,10 @@ std::vector<Job> timing_jobs(const PlannedRun& planned, const CampaignSettings& 
 // Replaces an earlier link to a result. Keeps anything else there, and says so on standard error.
 void show_result(const std::filesystem::path& result, const std::filesystem::path& link);
 
+// Removes the link to an earlier result of what has failed. Keeps what no campaign has made. Throws
+// as require_own() (own_files.hpp).
+void hide_result(const std::filesystem::path& link);
+
 // Returns the place of a run's link in the campaign's directory.
 std::filesystem::path link_to_result(const CampaignSettings& settings,
                                      const CaseDefinition& definition, const RunDefinition& run);

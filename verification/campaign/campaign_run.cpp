@@ -70,6 +70,8 @@ void take_stock(std::vector<PlannedRun>& plan, const CampaignSettings& settings,
       } catch (const ResultError& error) {
         planned.status = {RunState::missing, error.what()};
       }
+    if (planned.status.state == RunState::failed)
+      hide_result(link_to_result(settings, *planned.definition, *planned.run));
     tell_of_another(planned.definition->name + "/" + planned.run->name, {planned.key, ".h5"},
                     planned.status, settings);
     runs.status[planned.run->name] = planned.status;
@@ -83,6 +85,7 @@ void take_over(const JobState& state, PlannedRun& planned, const CampaignSetting
     throw CaseFileError(first_error_line(state.job.log_file));
   RunStatus& status = runs.status[planned.run->name];
   if (!has_succeeded(state)) {
+    hide_result(link_to_result(settings, *planned.definition, *planned.run));
     status = status_without_result(state, settings.store.file(planned.key, failure_extension));
     return;
   }

@@ -28,6 +28,7 @@
 #include "verification/results/result_file.hpp"
 #include "verification/solvers/external_facts.hpp"
 #include "verification/solvers/particles/particle_surface.hpp"
+#include "verification/solvers/particles/particles_in_tank.hpp"
 
 namespace slosh {
 namespace {
@@ -175,10 +176,15 @@ RunResult surface_of_particles(const ImportOptions& options, const Installation&
   ParticleColumns columns = options.columns;
   if (!options.time_column.empty()) columns.time = options.time_column;
   RunResult result;
-  result.series =
-      surface_series(read_particle_table(options.files.front(), columns),
-                     {value_of(options.frame, position_frame_names), options.spacing}, definition);
+  const std::filesystem::path& file = options.files.front();
+  const std::vector<ParticlesAt> moments =
+      in_tank(read_particle_table(file, columns), value_of(options.frame, position_frame_names),
+              definition);
+  require_in_tank(moments, options.spacing, definition, file);
+  result.series = surface_series(moments, options.spacing, definition);
   add_origin(options, options.files, definition.text, result);
+  if (const auto doubts = doubts_of_liquid(moments, options.spacing, definition); !doubts.empty())
+    result.provenance["doubts"] = fmt::format("{}", fmt::join(doubts, "\n"));
   result.case_name = definition.name;
   result.active_terms = {"surface of particles, measured as that of SPH runs"};
   return result;
@@ -214,6 +220,8 @@ int import_files(const ImportOptions& options, const Installation& installation)
         seams != result.provenance.end())
       std::cout << "  " << legible(seams->second) << "\n";
   }
+  if (const auto doubts = result.provenance.find("doubts"); doubts != result.provenance.end())
+    std::cerr << doubts->second << "\n";
   std::cout << "result: " << options.output.string() << "\n";
   return exit_pass;
 }

@@ -36,12 +36,15 @@ std::vector<ParticlesAt> read_rows(TableReader& reader, const TableHead& head,
         reader.refuse(
             columns.time, fields[time],
             fmt::format("the last row's time, {} s, or a later one", moments.back().time));
-      moments.push_back({now, {}, {}, {}});
+      moments.push_back({now, {}, {}, {}, {}});
     }
     moments.back().x.push_back(reader.number(columns.x, fields[x], "m"));
     moments.back().z.push_back(reader.number(columns.z, fields[z], "m"));
-    if (!columns.volume.empty())
-      moments.back().volume.push_back(reader.number(columns.volume, fields[volume], "m2"));
+    moments.back().line.push_back(reader.line_number());
+    if (columns.volume.empty()) continue;
+    moments.back().volume.push_back(reader.number(columns.volume, fields[volume], "m2"));
+    if (!(moments.back().volume.back() > 0))
+      reader.refuse(columns.volume, fields[volume], "a number > 0, in m2");
   }
   if (moments.empty()) reader.refuse("rows", "none", "at least one particle");
   return moments;

@@ -19,10 +19,12 @@ struct ParticlesAt {
   double time;                 // [s]
   std::vector<double> x, z;    // [m]
   std::vector<double> volume;  // per metre of width [m2]; empty where the table has none
+  std::vector<int> line;       // of each row in the table
 };
 
 // Throws CaseFileError, "file:line: ...", where the table has no such column, a unit is not SI, a
-// number cannot be used, a row is of another length, times decrease or there is no row.
+// number cannot be used, a volume is not positive, a row is of another length, times decrease or
+// there is no row.
 std::vector<ParticlesAt> read_particle_table(const std::filesystem::path& file,
                                              const ParticleColumns& columns);
 

@@ -109,6 +109,47 @@ TEST_F(ForeignResults, TheFilesOfARestartedRunAreOneSeriesWhoseSeamIsTold) {
   EXPECT_EQ(result.provenance.at("seams_of_elevation@right"), seam);
 }
 
+// Five rows of ten particles fill the tank.
+TEST_F(ForeignResults, ParticlesThatCannotBeTheLiquidAreRefusedAndDoubtfulOnesToldOf) {
+  write_campaign(with(small_case, "fill_depth_m = 0.35", "fill_depth_m = 0.5"));
+  const auto lattice = [](double time, int rows, double volume) {
+    std::string text;
+    for (int i = 0; i < 10 * rows; ++i)
+      text +=
+          fmt::format("{},{},{},{}\n", time, 0.05 + 0.1 * (i % 10), 0.05 + 0.1 * (i / 10), volume);
+    return text;
+  };
+  const auto imported = [&](const std::string& rows, const std::string& more = "") {
+    write("p.csv", "time,x,z,V\n" + rows);
+    return typed("import p.csv --format particles --case ./small.toml --spacing 0.1 -o p.h5 " +
+                 more);
+  };
+  const std::string whole = lattice(0, 5, 0.01);
+  const Ended right = imported(whole + lattice(1, 5, 0.0101), "--volume V");
+  EXPECT_EQ(right.status, 0) << right.err;
+  EXPECT_EQ(right.err, "");
+  for (const char* place : {"-0.11,0.1", "1.11,0.1", "0.1,-0.11", "0.1,1.11"}) {
+    const Ended out = imported(whole + "1,0.1,0.1,1\n1," + place + ",1\n");
+    EXPECT_EQ(out.status, 2) << place;
+    EXPECT_TRUE(holds(out.err, "p.csv:53: place in the tank = (")) << out.err;
+    EXPECT_TRUE(holds(out.err, "x from 0 to 1 m and z from 0 to 1 m (bottom and roof)")) << out.err;
+  }
+  const Ended void_of = imported(whole + "1,0.1,0.1,0\n", "--volume V");
+  EXPECT_EQ(void_of.status, 2);
+  EXPECT_TRUE(holds(void_of.err, "p.csv:52: V = 0: expected a number > 0, in m2")) << void_of.err;
+  const auto expect_doubt = [&](const Ended& ended, const std::string& doubt) {
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_TRUE(holds(ended.err, doubt)) << ended.err;
+    EXPECT_TRUE(holds(read_result(directory() / "p.h5").provenance.at("doubts"), doubt));
+  };
+  expect_doubt(imported(lattice(0, 4, 1)),
+               "volume of all particles at 0 s = 0.4 m2: expected the 0.5 m2 of the case's liquid");
+  expect_doubt(imported(whole + lattice(1, 5, 0.0103), "--volume V"),
+               "volume of all particles at 1 s = 0.515 m2: expected the 0.5 m2 of the first time");
+  expect_doubt(imported(whole, "--x z --z x"),
+               "mean height of all particles at 0 s = 0.5 m: expected half the fill depth, 0.25 m");
+}
+
 TEST_F(ForeignResults, NoImportScalesByNothingOrIsMovedByNoNumber) {
   write_gauge("a.csv", {});
   for (const char* scale : {"0", "nan", "inf", "-inf", "1e400", "two"}) {

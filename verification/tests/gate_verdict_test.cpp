@@ -63,6 +63,8 @@ TEST_F(GateVerdict, OfARecordedFailureOutranksAllOlderResults) {
   approve({"--new"});
   write_program("exit 1\n");
   EXPECT_EQ(gate().status, 3);
+  EXPECT_FALSE(fs::is_symlink(result("mine"))) << "it leads to a result of the program as it was";
+  EXPECT_TRUE(fs::is_symlink(result("theory")));
   EXPECT_EQ(report().status, 3) << "the failure is recorded";
   EXPECT_EQ(tool({"gate", "./surges.toml", "-o", "out", "--ledger", "ledger.jsonl"}).status, 3);
   EXPECT_TRUE(holds(on_ledger({"baseline", "diff"}).out, "no value any more"));
@@ -76,6 +78,20 @@ TEST_F(GateVerdict, OfAFailureOutsideACampaignOutranksAllOlderResultsToo) {
   write_program("exit 1\n");
   EXPECT_EQ(run("mine").status, 3);
   EXPECT_EQ(report().status, 3);
+  EXPECT_FALSE(fs::is_symlink(result("mine")));
+}
+
+TEST_F(GateVerdict, OfAFailureKeepsTheLinkAndTheFileThatAUserLaidAtItsPlace) {
+  ASSERT_EQ(campaign().status, 0);
+  write_program("exit 1\n");
+  fs::remove(result("mine"));
+  fs::create_symlink(result("theory"), result("mine"));
+  EXPECT_EQ(campaign().status, 3);
+  EXPECT_TRUE(fs::is_symlink(result("mine")));
+  fs::remove(result("mine"));
+  fs::copy_file(result("theory"), result("mine"));
+  EXPECT_EQ(report().status, 3);
+  EXPECT_TRUE(fs::exists(result("mine")));
 }
 
 TEST_F(GateVerdict, OfAFailureThatCannotBeReadIsOneToo) {
@@ -622,7 +638,9 @@ TEST_F(EarlierVerdict, IsReadAsItIsWritten) {
 TEST_F(GateVerdict, OfNothingIsProposedAsNoBaseline) {
   write_program("exit 1\n");
   ASSERT_EQ(campaign().status, 3);
-  EXPECT_EQ(on_ledger({"baseline", "propose"}, {"--new"}).status, 3);
+  const Ended ended = on_ledger({"baseline", "propose"}, {"--new"});
+  EXPECT_EQ(ended.status, 3);
+  EXPECT_TRUE(holds(ended.out, "nothing to propose: no row has a value, and there is no baseline"));
 }
 
 }  // namespace

@@ -80,7 +80,9 @@ int propose_baseline(const CampaignOptions& options, const Installation& install
   print_changes(now.moved);
   const Proposal proposal{now.campaign, proposed_changes(now.moved)};
   if (proposal.changes.empty()) {
-    std::cout << "nothing to propose: the baseline stands\n";
+    std::cout << "nothing to propose: "
+              << (options.new_ledger ? "no row has a value, and there is no baseline\n"
+                                     : "the baseline stands\n");
     const bool has_results = now.status != exit_solver_failed && now.status != exit_not_compared;
     return has_results ? exit_pass : now.status;
   }

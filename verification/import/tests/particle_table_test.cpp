@@ -41,6 +41,10 @@ TEST(ParticleTable, RefusesWhatIsNotAParticleAtATime) {
   EXPECT_EQ(complaint_of("time,x,z\n1,0,0\n0.5,0,0\n"),
             "p.csv:3: time = 0.5: expected the last row's time, 1 s, or a later one");
   EXPECT_EQ(complaint_of("time,x,z\n1,0,nan\n"), "p.csv:2: z = nan: expected a number, in m");
+  for (const char* volume : {"0", "-1e-4"})
+    EXPECT_EQ(complaint_of(std::string("time,x,z,V\n1,0,0,1e-4\n1,0,0,") + volume + "\n",
+                           {"time", "x", "z", "V"}),
+              std::string("p.csv:3: V = ") + volume + ": expected a number > 0, in m2");
   EXPECT_EQ(complaint_of("time,x,z\n1,0\n"), "p.csv:2: row = 1,0: expected 3 values");
   EXPECT_EQ(complaint_of("time,x [mm],z\n1,0,0\n"),
             "p.csv:1: --x = x [mm]: expected a column in m");

@@ -11,21 +11,10 @@
 
 namespace slosh {
 
-// The frame of the positions. The origin of both is the tank's bottom left corner, in the earth's
-// frame before the tank has moved.
-enum class PositionsIn { tank, earth };
-
-inline constexpr EnumName<PositionsIn> position_frame_names[] = {{PositionsIn::tank, "tank"},
-                                                                 {PositionsIn::earth, "earth"}};
-
-struct ParticleMeaning {
-  PositionsIn frame = PositionsIn::tank;
-  double spacing;  // [m], of the lattice from which the particles started
-};
-
-// Returns elevation@GAUGE and highest_surface@GAUGE for each gauge of the case. A particle without
-// a volume has that of a cell of the lattice.
-std::vector<TimeSeries> surface_series(const std::vector<ParticlesAt>& moments,
-                                       const ParticleMeaning& of, const CaseDefinition& definition);
+// Returns elevation@GAUGE and highest_surface@GAUGE for each gauge of the case, of particles in the
+// tank's frame that started from a lattice of that spacing [m]. A particle without a volume has
+// that of a cell of the lattice.
+std::vector<TimeSeries> surface_series(const std::vector<ParticlesAt>& moments, double spacing,
+                                       const CaseDefinition& definition);
 
 }  // namespace slosh

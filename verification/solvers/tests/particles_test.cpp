@@ -14,6 +14,7 @@
 #include "sph/walls/frames.hpp"
 #include "verification/solvers/particles/artificial_viscosity.hpp"
 #include "verification/solvers/particles/particle_surface.hpp"
+#include "verification/solvers/particles/particles_in_tank.hpp"
 #include "verification/solvers/sph_scene.hpp"
 #include "verification/tests/sample_case.hpp"
 #include "verification/tests/trial_case.hpp"
@@ -58,8 +59,9 @@ std::vector<TimeSeries> measured(const std::string& table, const CaseDefinition&
   const Workspace workspace;
   ParticleColumns columns;
   columns.volume = volume;
-  return surface_series(read_particle_table(workspace.write("p.csv", table), columns),
-                        {frame, run.particle_spacing}, definition);
+  const auto moments =
+      in_tank(read_particle_table(workspace.write("p.csv", table), columns), frame, definition);
+  return surface_series(moments, run.particle_spacing, definition);
 }
 
 // The gauges of our own runs read the same numbers from the same particles.
