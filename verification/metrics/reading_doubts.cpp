@@ -39,16 +39,10 @@ bool are_told(const LostStretches& lost, const SensorLimits& limits) {
 
 void add_flat(const SensorReadings& of, const FlatExtreme& flat, const char* which,
               std::vector<std::string>& doubts) {
-  if (flat.mirrored)
-    doubts.push_back(fmt::format(
-        "the {} turns back at its {} value, {:.4g} {}, from {:.4g} to {:.4g} s, where a crest that "
-        "is mirrored would go on by {:.2g} {}",
-        of.role, which, flat.value, of.unit, flat.begin, flat.end, flat.hidden, of.unit));
-  else
-    doubts.push_back(fmt::format(
-        "the {} stays at its {} value, {:.4g} {}, from {:.4g} to {:.4g} s, which cuts off "
-        "some {:.2g} {}",
-        of.role, which, flat.value, of.unit, flat.begin, flat.end, flat.hidden, of.unit));
+  doubts.push_back(fmt::format(
+      "the {} stays at its {} value, {:.4g} {}, from {:.4g} to {:.4g} s, which cuts off "
+      "some {:.2g} {}",
+      of.role, which, flat.value, of.unit, flat.begin, flat.end, flat.hidden, of.unit));
 }
 
 }  // namespace

@@ -86,23 +86,22 @@ double variance_of_noise(const std::vector<double>& value, double step) {
   return std::max(normal * normal / 70, step * step / 12);
 }
 
-// The means of groups of samples inside of a stretch and beside it, but for the `guard` samples at
-// its edges; empty where an end of the series is near.
+// The means of groups of samples inside of a stretch and beside it; empty where an end of the
+// series is near.
 struct CrestInGroups {
   std::size_t group, sides;
   std::vector<double> times, values;
 };
 
-CrestInGroups crest_in_groups(const TimeSeries& series, std::size_t first, std::size_t last,
-                              std::size_t guard) {
+CrestInGroups crest_in_groups(const TimeSeries& series, std::size_t first, std::size_t last) {
   const std::size_t count = last - first + 1, group = count / most_inside + 1,
                     inside = count / group, sides = std::max(fewest_sides, inside / 2 + 1),
-                    beside = sides * group + guard;
+                    beside = sides * group;
   CrestInGroups found{group, sides, {}, {}};
   if (first < beside || last + beside >= series.value.size()) return found;
   for (std::size_t i = first - beside; found.times.size() < 2 * sides + inside; i += group) {
     if (found.times.size() == sides) i = first;
-    if (found.times.size() == sides + inside) i = last + 1 + guard;
+    if (found.times.size() == sides + inside) i = last + 1;
     const auto mean_from = [&](const std::vector<double>& all) {
       const auto begin = all.begin() + static_cast<std::ptrdiff_t>(i);
       return mean({begin, begin + static_cast<std::ptrdiff_t>(group)});
@@ -114,7 +113,7 @@ CrestInGroups crest_in_groups(const TimeSeries& series, std::size_t first, std::
 }
 
 void add_misfits(const Search& of, std::size_t first, std::size_t last, Top& top) {
-  const auto [group, sides, times, values] = crest_in_groups(of.series, first, last, 0);
+  const auto [group, sides, times, values] = crest_in_groups(of.series, first, last);
   if (times.empty()) return;
   const Interruption crest(times, sides, 0, {6, 4, 0});
   top.left = crest.misfits(values.data());
@@ -275,50 +274,6 @@ std::optional<FlatExtreme> flat_below(const Search& of, const std::vector<Crest>
   return std::nullopt;
 }
 
-// A dip between two samples near the highest that is a crest turned over: a polynomial leaves a
-// quarter of it, or less, once it is turned back about a level up to a band above these samples.
-std::optional<FlatExtreme> mirrored_crest(const Search& of, double highest) {
-  constexpr double band = 0.03, deepest = 0.5, against_as_it_is = 4;
-  const auto& [name, unit, time, value] = of.series;
-  double as_it_is = 0, turned = 0;
-  std::optional<FlatExtreme> worst;
-  for (std::size_t at = 0, before = value.size(); at < value.size(); ++at) {
-    if (highest - value[at] > band * of.range) continue;
-    std::size_t i = at;
-    for (; at < value.size() && highest - value[at] <= band * of.range; ++at)
-      if (value[at] > value[i]) i = at;
-    const std::size_t first = std::exchange(before, i) + 1;
-    if (first > value.size() || i < first + fewest_in_flat) continue;
-    const double depth =
-        highest - *std::min_element(value.begin() + static_cast<std::ptrdiff_t>(first),
-                                    value.begin() + static_cast<std::ptrdiff_t>(i));
-    if (depth > deepest * of.range || depth < least_hidden * of.range) continue;
-    const auto [group, sides, times, values] = crest_in_groups(of.series, first, i - 1, 1);
-    if (times.empty()) continue;
-    std::vector<std::size_t> all(times.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    const Polynomials whole(times, all, 6);
-    // The sum of squares is a parabola of the level.
-    double left[3];
-    for (int k = 0; k < 3; ++k) {
-      std::vector<double> back = values;
-      for (std::size_t j = sides; j + sides < back.size(); ++j)
-        back[j] = 2 * (highest + k * band * of.range) - back[j];
-      left[k] = whole.misfit(back.data());
-    }
-    const double curvature = left[0] - 2 * left[1] + left[2],
-                 place = curvature > 0
-                             ? std::clamp((left[0] - left[2]) / (2 * curvature) + 1, 0.0, 1.0)
-                             : 0;
-    turned += left[0] + place * (left[1] - left[0]) + place * (place - 1) * curvature / 2;
-    as_it_is += whole.misfit(values.data());
-    if (time[first] < of.window.end && time[i] > of.window.begin &&
-        !(worst && worst->hidden >= depth))
-      worst = FlatExtreme{highest, time[first], time[i - 1], depth, true};
-  }
-  return as_it_is >= against_as_it_is * turned ? worst : std::nullopt;
-}
-
 }  // namespace
 
 std::optional<FlatExtreme> flat_crest(const TimeSeries& series, double step, TimeWindow window) {
@@ -330,7 +285,7 @@ std::optional<FlatExtreme> flat_crest(const TimeSeries& series, double step, Tim
     if (auto flat = flat_at_highest(of, high, band)) return flat;
     if (auto flat = flat_below(of, crests, high, band)) return flat;
   }
-  return mirrored_crest(of, high);
+  return std::nullopt;
 }
 
 }  // namespace slosh

@@ -34,8 +34,7 @@ namespace slosh {
 struct FlatExtreme {
   double value;       // the median of its readings, in the series' unit
   double begin, end;  // of the flat that hides most [s]
-  double hidden;      // the height cut off there, or by which it is turned over
-  bool mirrored = false;
+  double hidden;      // the height cut off there
 };
 
 inline constexpr std::size_t fewest_in_flat = 3;

@@ -189,24 +189,6 @@ TEST(SensorLimits, FindIsolatedReadingsAndAClippedCrestBelowASpike) {
   }
 }
 
-// |x - c|: a pointed crest is none, nor is a crest with a dip.
-TEST(SensorLimits, FindACrestThatIsMirroredAtTheEndOfTheRange) {
-  for (const double interval : {0.005, 0.02, 0.04})
-    for (const auto& [over, noise] : {std::pair{0.1, 0.0}, {0.3, 0.0}, {0.3, 0.004}}) {
-      std::mt19937 generator(2);
-      std::normal_distribution<double> normal;
-      const auto folded = [&](double t) {
-        return 1 - over - std::abs(1 - over - wave(t)) + noise * normal(generator);
-      };
-      const SensorLimits found = limits_of_all(sampled(folded, 0, 20, interval));
-      ASSERT_TRUE(found.highest) << interval << " " << over << " " << noise;
-      EXPECT_TRUE(found.highest->mirrored);
-      EXPECT_NEAR(found.highest->value, 1 - over, 0.03);
-      EXPECT_NEAR(found.highest->hidden, over, 0.04);
-      EXPECT_FALSE(found.lowest) << interval << " " << over << " " << noise;
-    }
-}
-
 // A sensor whose range was switched, and one whose filter overshoots at the edges of each flat.
 TEST(SensorLimits, FindCrestsThatAreCutOffBelowTheHighestValue) {
   for (const double interval : {0.01, 0.02})
