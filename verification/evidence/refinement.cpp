@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "verification/case/solver_kinds.hpp"
+#include "verification/metrics/reading_doubts.hpp"
 #include "verification/series/sample_moments.hpp"
 #include "verification/series/windowed_series.hpp"
 
@@ -173,7 +174,7 @@ std::string why_unknown(const std::vector<MeasuredRun>& measured,
       return fmt::format("{} and {} have the same {}: the refinement changed nothing", coarse, fine,
                          quantity);
     // An impact that comes at another instant differs by as little order.
-    if (one.unit == "Pa" || one.unit.starts_with("N")) continue;
+    if (has_impacts(one.unit)) continue;
     changes.push_back(change_of(one, other, window));
     if (changes.back().is_white() ||
         (changes.size() > 1 && changes.back().is_as_disordered_as(changes[changes.size() - 2])))

@@ -26,7 +26,7 @@ bool may_be_real(const IsolatedReadings& isolated, const SensorReadings& of) {
 // Between impacts a pressure and a load rest or fall along other curves than before and after.
 bool may_be_real(const LostStretches& lost, const SensorReadings& of) {
   if (lost.value) return may_rest(*lost.value, of);
-  return of.unit.starts_with("N") || of.unit == "Pa";
+  return has_impacts(of.unit);
 }
 
 // Stretches at the value of a flat are that flat.
@@ -46,6 +46,8 @@ void add_flat(const SensorReadings& of, const FlatExtreme& flat, const char* whi
 }
 
 }  // namespace
+
+bool has_impacts(const std::string& unit) { return unit.starts_with("N") || unit == "Pa"; }
 
 std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
   std::vector<std::string> doubts;
@@ -79,7 +81,7 @@ std::vector<std::string> doubts_of_readings(const SensorReadings& of) {
         "half of the samples of the {} leave their neighbours by {:.2g} of its deviation, as where "
         "two signals alternate",
         of.role, *roughness));
-  if (growth && !of.unit.starts_with("N") && of.unit != "Pa")
+  if (growth && !has_impacts(of.unit))
     doubts.push_back(fmt::format(
         "the samples of the {} leave their neighbours {:.2g} times as far at crests and in troughs "
         "as near the mean, as where many of them are low",

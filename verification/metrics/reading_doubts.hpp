@@ -18,6 +18,9 @@ struct SensorReadings {
   std::vector<double> rests = {};  // the values at which it may stay, in the unit
 };
 
+// Whether the quantity is a load or a pressure, which impacts interrupt.
+bool has_impacts(const std::string& unit);
+
 // "the candidate stays at its highest value, 0.01 m, from 1.2 to 1.4 s, which cuts off some 0.002
 // m", that it holds each reading or follows straight lines between them, that samples leave
 // their neighbours alone, which an impact does too: not of a load, nor of a pressure that rises,

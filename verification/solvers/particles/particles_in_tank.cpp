@@ -78,22 +78,22 @@ std::vector<std::string> doubts_of_liquid(const std::vector<ParticlesAt>& moment
   if (differs(volume, liquid, kept_volume))
     doubts.push_back(fmt::format(
         "volume of all particles at {:g} s = {:.4g} m2: expected the {:.4g} m2 of the case's "
-        "liquid, to 2 %; is the spacing right, and are these all particles of the liquid and no "
+        "liquid, to {:g} %; is the spacing right, and are these all particles of the liquid and no "
         "others?",
-        first.time, volume, liquid));
+        first.time, volume, liquid, 100 * kept_volume));
   if (differs(height, still, kept_height))
     doubts.push_back(fmt::format(
         "mean height of all particles at {:g} s = {:.4g} m: expected half the fill depth, {:.4g} "
-        "m, to 50 %; are x and z exchanged?",
-        first.time, height, still));
+        "m, to {:g} %; are x and z exchanged?",
+        first.time, height, still, 100 * kept_height));
   const auto changed = std::find_if(moments.begin(), moments.end(), [&](const ParticlesAt& now) {
     return differs(volume_of(now, spacing), volume, kept_volume);
   });
   if (changed != moments.end())
     doubts.push_back(fmt::format(
         "volume of all particles at {:g} s = {:.4g} m2: expected the {:.4g} m2 of the first time, "
-        "to 2 %",
-        changed->time, volume_of(*changed, spacing), volume));
+        "to {:g} %",
+        changed->time, volume_of(*changed, spacing), volume, 100 * kept_volume));
   return doubts;
 }
 
