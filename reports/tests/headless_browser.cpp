@@ -108,8 +108,9 @@ const measure = frame => {
 const write = () => {
   document.getElementById('measures').textContent = JSON.stringify([...document.querySelectorAll('iframe')].map(measure));
 };
-// A busy machine draws the hints of boxes that scroll late: the second writing replaces the first.
-addEventListener('load', () => [500, 3000].forEach(delay => setTimeout(write, delay)));
+// A hint follows its box's scroll timeline, which a busy machine gives its state some frames after the load.
+const after = (frames, action) => frames ? requestAnimationFrame(() => after(frames - 1, action)) : action();
+addEventListener('load', () => after(60, write));
 </script>)";
 
 // RFC 8089, percent-encoded.
