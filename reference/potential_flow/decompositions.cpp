@@ -9,6 +9,10 @@ namespace slosh::reference {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+MatrixXd product(const MatrixView& a, const MatrixView& b) { return a * b; }
+
+MatrixXd transposed_product(const MatrixView& a, const MatrixView& b) { return a.transpose() * b; }
+
 Eigenpairs generalized_eigenpairs(const MatrixXd& stiffness, const MatrixXd& mass) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(stiffness, mass);
   return {solver.eigenvalues(), solver.eigenvectors()};

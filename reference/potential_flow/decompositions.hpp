@@ -1,10 +1,19 @@
-// Decompositions of dense matrices. All are Eigen's, compiled in one file, because their templates
-// would take most of the compilation of every file that used them.
+// Products and decompositions of dense matrices. All are Eigen's, compiled in one file, because
+// their templates would take most of the compilation of every file that used them.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace slosh::reference {
+
+// A matrix, a block of one, or an expression, which is evaluated.
+using MatrixView = Eigen::Ref<const Eigen::MatrixXd>;
+
+// a b, with a of m x k and b of k x n.
+Eigen::MatrixXd product(const MatrixView& a, const MatrixView& b);
+
+// a^T b, with a of k x m and b of k x n.
+Eigen::MatrixXd transposed_product(const MatrixView& a, const MatrixView& b);
 
 struct Eigenpairs {
   Eigen::VectorXd values;   // rising

@@ -114,7 +114,8 @@ void SectionFlow::measure(const std::vector<Slab>& slabs) {
 void SectionFlow::solve_modes(const Condensed& surface, int modes) {
   const double half_width = (right_ - left_) / 2;
   const MatrixXd mass =
-      half_width * across_.values.transpose() * across_.weights.asDiagonal() * across_.values;
+      half_width *
+      transposed_product(across_.values, across_.weights.asDiagonal() * across_.values);
   const Eigenpairs pairs = generalized_eigenpairs(surface.stiffness, mass);
   // The first eigenvector is the constant.
   const Index rest = across_.size() - 1;

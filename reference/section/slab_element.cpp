@@ -28,15 +28,15 @@ MatrixXd stiffness(const Slab& slab, const PiecewiseGrid& across, const Piecewis
   const auto of_heights = [&](const VectorXd& factor) {
     return VectorXd(up.weights.cwiseProduct(factor));
   };
-  const MatrixXd mixed_up = p.transpose() * up.weights.asDiagonal() * q,
-                 mixed = -d.transpose() * weights.cwiseProduct(slope).asDiagonal() * v;
+  const MatrixXd mixed_up = transposed_product(p, up.weights.asDiagonal() * q),
+                 mixed = -transposed_product(d, weights.cwiseProduct(slope).asDiagonal() * v);
   MatrixXd sum = MatrixXd::Zero(up.size() * across.size(), up.size() * across.size());
-  add_product(p.transpose() * of_heights(half_width.cwiseInverse()).asDiagonal() * p,
-              d.transpose() * weights.cwiseProduct(steep).asDiagonal() * d, sum);
+  add_product(transposed_product(p, of_heights(half_width.cwiseInverse()).asDiagonal() * p),
+              transposed_product(d, weights.cwiseProduct(steep).asDiagonal() * d), sum);
   add_product(mixed_up, mixed, sum);
   add_product(mixed_up.transpose(), mixed.transpose(), sum);
-  add_product(q.transpose() * of_heights(half_width).asDiagonal() * q,
-              v.transpose() * weights.asDiagonal() * v, sum);
+  add_product(transposed_product(q, of_heights(half_width).asDiagonal() * q),
+              transposed_product(v, weights.asDiagonal() * v), sum);
   return sum;
 }
 
@@ -94,7 +94,8 @@ SlabElement::SlabElement(const Slab& slab, const PiecewiseGrid& across, int degr
   const MatrixXd solved = solve_positive(matrix.topLeftCorner(inner, inner), right);
   MatrixXd from_top = -solved.leftCols(n);
   VectorXd from_load = solved.col(n);
-  MatrixXd schur = matrix.bottomRightCorner(n, n) + matrix.bottomLeftCorner(n, inner) * from_top;
+  const MatrixXd schur =
+      matrix.bottomRightCorner(n, n) + product(matrix.bottomLeftCorner(n, inner), from_top);
   condensed_ = {.stiffness = (schur + schur.transpose()) / 2,
                 .load = load.tail(n) + from_top.transpose() * load.head(inner),
                 .energy = load.head(inner).dot(from_load) + (below ? below->energy : 0)};
@@ -111,7 +112,7 @@ SlabElement::SlabElement(const Slab& slab, const PiecewiseGrid& across, int degr
 
 MatrixXd SlabElement::set_potentials(const MatrixXd& top) {
   potentials_.resize(from_top_.rows() + top.rows(), top.cols());
-  potentials_ << from_top_ * top, top;
+  potentials_ << product(from_top_, top), top;
   potentials_.col(top.cols() - 1).head(from_load_.size()) += from_load_;
   from_top_.resize(0, 0);
   return potentials_.topRows(top.rows());
