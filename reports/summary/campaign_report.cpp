@@ -20,7 +20,6 @@
 #include "verification/assessment/predictions.hpp"
 #include "verification/assessment/row_kinds.hpp"
 #include "verification/case/case_definition.hpp"
-#include "verification/evidence/soundness.hpp"
 #include "verification/papers/paper_sections.hpp"
 #include "verification/results/provenance.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
@@ -83,8 +82,7 @@ reports::Page page_of(const CaseAssessment& assessment, const CaseCoverage& cove
   reports::Page page{case_id(name), assessment.definition.title, "", {}};
   page.glance = glance_figure(assessment, worst_candidate(assessment));
   page.remark = missed_text(coverage);
-  if (std::string doubt = doubtful_runs(assessment.definition, assessment.runs); !doubt.empty())
-    page.doubts.push_back(std::move(doubt));
+  page.doubts = assessment.doubts;
   std::erase_if(lines, [&](const auto& line) { return line.section != case_id(name) + "-gate"; });
   const std::vector<CaseAssessment> alone{assessment};
   const Standing standing = standing_of(alone);

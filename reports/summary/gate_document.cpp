@@ -145,8 +145,8 @@ std::vector<const GateEntry*> worst_first(const GateDocument& document) {
 std::string gate_markdown(const GateDocument& document) {
   std::string text =
       fmt::format("## {}\n\n{}\n", markdown_text(document.title), markdown_text(document.verdict));
-  for (const auto& [group, doubt] : document.doubts)
-    text += fmt::format("\n{}\n", markdown_text(doubt));
+  for (const auto& [group, doubts] : document.doubts)
+    for (const std::string& doubt : doubts) text += fmt::format("\n{}\n", markdown_text(doubt));
   text += standings_markdown(document.standings);
   for (const std::string& sentence : {document.basis, document.speed})
     if (!sentence.empty()) text += fmt::format("\n{}\n", markdown_text(sentence));
@@ -198,9 +198,9 @@ std::string junit_xml(const GateDocument& document) {
     Xml suite;
     Counts counts;
     suite.put("<xmlattr>.name", legible(group));
-    if (const auto doubt = document.doubts.find(group); doubt != document.doubts.end()) {
+    if (const auto found = document.doubts.find(group); found != document.doubts.end()) {
       Xml properties;
-      add_property(properties, "doubtful", doubt->second);
+      for (const std::string& doubt : found->second) add_property(properties, "doubtful", doubt);
       suite.add_child("properties", properties);
     }
     for (const GateEntry& entry : document.entries) {

@@ -39,7 +39,8 @@ struct GateDocument {
   int exit_status = 0;     // that of the process
   // Whether inconclusive rows leave the exit status at 0: JUnit then calls them skipped.
   bool inconclusive_passes = false;
-  std::map<std::string, std::string> doubts = {};  // by group: which of its runs are not sound
+  // By group: what a reader must know beside its verdicts, "doubtful: CASE: ...".
+  std::map<std::string, std::vector<std::string>> doubts = {};
 };
 
 // Returns the entries sorted by severity: solver failed, violated, not compared, inconclusive or
@@ -47,7 +48,7 @@ struct GateDocument {
 std::vector<const GateEntry*> worst_first(const GateDocument& document);
 
 // Returns JUnit XML: testsuites / testsuite (a group) / testcase, with value, uncertainty and
-// tolerance as properties, and a group's doubts as a property of its suite. Violated, inconclusive
+// tolerance as properties, and a group's doubts as properties of its suite. Violated, inconclusive
 // and lost rows are failures; rows that were not compared or whose solver failed are errors. It
 // ends as gate_markdown() does.
 std::string junit_xml(const GateDocument& document);

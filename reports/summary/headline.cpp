@@ -18,6 +18,8 @@
 namespace slosh {
 namespace {
 
+constexpr std::size_t most_alone = 6;  // lines of rows without a reference
+
 using RowsOfCode = std::vector<ShownRow>;  // those that count, the worst first
 
 std::string code_of(const RunDefinition& run) {
@@ -170,7 +172,13 @@ std::vector<HeadlineLine> headline_lines(const std::vector<CaseAssessment>& case
                                          const std::vector<ProblemAssessment>& problems) {
   std::vector<HeadlineLine> lines;
   for (const CaseAssessment& one : cases)
-    for (const RowsOfCode& rows : rows_of_codes(one)) lines.push_back(line_of(one, rows));
+    for (const RowsOfCode& rows : rows_of_codes(one)) {
+      // Loads and frequencies are questions of their own: no departure stands for them all.
+      const bool is_alone = std::ranges::none_of(rows, compares) && rows.size() <= most_alone;
+      if (!is_alone) lines.push_back(line_of(one, rows));
+      for (const ShownRow& row : is_alone ? rows : RowsOfCode{})
+        lines.push_back(line_of(one, {row}));
+    }
   for (const ProblemAssessment& one : problems) add_problem(one, lines);
   return lines;
 }
@@ -246,7 +254,8 @@ reports::Table headline_table(const std::vector<HeadlineLine>& lines) {
       "Departures, case by case",
       "A line for each case and code: its finest run that a row compares, or the one that a row "
       "objects to. Intervals are of 95 %. A case with regression rows alone is watched: it departs "
-      "no further than earlier, which validates nothing.",
+      "no further than earlier, which validates nothing. Where no row has a reference, each row "
+      "has its line.",
       {"case", "candidate", "reference", "amplitude", "lag", "rms", "standing", "decides"}};
   for (const HeadlineLine& line : lines) {
     table.rows.push_back({line.name, line.candidate, line.reference, line.amplitude, line.lag,

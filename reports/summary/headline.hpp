@@ -24,7 +24,8 @@ struct HeadlineLine {
   std::string section;  // of the case or the problem
 };
 
-// One line for each case and code that has judged rows, and one for each problem.
+// One line for each case and code that has judged rows, and one for each problem. A code of which
+// no row has a reference has a line for each row.
 std::vector<HeadlineLine> headline_lines(const std::vector<CaseAssessment>& cases,
                                          const std::vector<ProblemAssessment>& problems);
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "verification/assessment/doubts/verdict_doubts.hpp"
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/metric_table.hpp"
@@ -190,6 +191,8 @@ CaseAssessment assess(CaseDefinition definition, CaseRuns runs) {
       }
     }
   for (const GateRow& row : definition.gate) assessment.gate.push_back(evidence.judge(row));
+  assessment.doubts =
+      doubt_verdicts(definition, assessment.runs, assessment.comparisons, assessment.gate);
   assessment.fitted = evidence.release_fitted();
   compare_all_fields(assessment);
   return assessment;

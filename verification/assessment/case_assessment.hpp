@@ -29,6 +29,8 @@ struct CaseAssessment {
   // Of each other run that recorded fields at all snapshot times against the finest interFoam and
   // against those that gate rows on fields name.
   std::vector<FieldComparison> fields = {};
+  // "doubtful: CASE: ...", what a reader must know beside the verdicts (verdict_doubts.hpp).
+  std::vector<std::string> doubts = {};
 };
 
 // Marks references that have left their declared range, compares the runs and judges the gate rows.

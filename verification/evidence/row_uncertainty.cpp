@@ -155,7 +155,7 @@ Contribution of_reference(const CaseDefinition& definition, const CaseRuns& runs
     return row.kind == RowKind::regression
                ? as_when_measured("against the same published impacts")
                : of_impacts(definition.impacts.value(), row, measures.measure(row).value);
-  if (row.reference.empty()) return {0, "no reference: the metric is zero in a correct run"};
+  if (row.reference.empty()) return {0, "the row has no reference"};
   if (metric_entry(row.metric).fitted == FittedTones::of_candidate)
     return {0, "the decay is the candidate's own: the reference only provides its frequency"};
   const RunDefinition& reference = run_named(definition, row.reference);
@@ -219,11 +219,13 @@ UncertaintyContributions row_uncertainty(const CaseDefinition& definition, const
   found.reference = of_reference(definition, runs, row, measures);
   if (is_p_value(row.metric))
     found.discretisation = {0, of_the_ensemble};
+  else if (rests_on_experiment(definition, row))
+    found.discretisation = numerical(definition, runs, row, Role::candidate, measures);
   else
-    found.discretisation =
-        rests_on_experiment(definition, row)
-            ? numerical(definition, runs, row, Role::candidate, measures)
-            : Contribution{0, "the candidate's discretisation error is what the row measures"};
+    found.discretisation = {
+        0, row.reference.empty()
+               ? "not counted: a row without a reference judges the run with the spacing it has"
+               : "the candidate's discretisation error is what the row measures"};
   found.input = of_inputs(definition, row, measures);
   if (row.metric == Metric::impact_arrival) limit_to_search_window(definition, found);
   return found;

@@ -9,7 +9,8 @@
 //                   (beyond_linear.hpp), which the viscous wave has too.
 //   discretisation  Against an experiment this is the candidate's numerical uncertainty, which is
 //                   unknown for a run on no refinement path. Against theory or another method it is
-//                   zero: the candidate's discretisation error is what the row measures.
+//                   zero: the candidate's discretisation error is what the row measures. A row
+//                   without a reference judges the run with the spacing that it has.
 //   time_series     A flow that is sensitive to small disturbances has the spread of its repeats.
 //   input           Against an experiment this is the effect of its uncertain inputs. Where the
 //                   candidate is an ensemble that draws them (vary_inputs), it is the interval in

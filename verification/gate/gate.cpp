@@ -143,6 +143,12 @@ std::string lost_text(const GateRow& row, const GateEvidence& evidence) {
                                    : not_reached_text(evidence.cost(row), row.unit);
 }
 
+// A limit with all digits that the case file gives it.
+std::string as_declared(double limit, const std::string& unit) {
+  return unit == "1" ? fmt::format("{:.12g} %", 100 * limit)
+                     : fmt::format("{:.12g} {}", limit, unit);
+}
+
 // "14 ± 4 % ≤ 20 %", "|-1 %| ≤ 2 %", "3 % is not within 1 % to 2 %", "at most 0.04 % is not ≥ 5 %".
 std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
                        const GateEvidence& evidence) {
@@ -162,16 +168,18 @@ std::string bound_text(const GateRow& row, const ThreeWayOutcome& judged,
   };
   if (row.limit)
     return fmt::format("{} {} {}", judged.error < 0 ? "|" + shown + "|" : shown,
-                       phrase("≤", "is not ≤"), in_unit(*row.limit, row.unit));
+                       phrase("≤", "is not ≤"), as_declared(*row.limit, row.unit));
   if (std::isinf(allowed_by(row).upper))
     return fmt::format("{} {} {}", shown, phrase("≥", "is not ≥"),
-                       in_unit(row.between->first, row.unit));
+                       as_declared(row.between->first, row.unit));
   return fmt::format("{} {} {} to {}", shown, phrase("within", "is not within"),
-                     in_unit(row.between->first, row.unit), in_unit(row.between->second, row.unit));
+                     as_declared(row.between->first, row.unit),
+                     as_declared(row.between->second, row.unit));
 }
 
-// "; mean over 4 x 3 repeats" for ensembles, "; median of 8 repeats" for their impacts, "; 20
-// repeats" for the distribution of their peaks, "" for single runs.
+// "; mean over 4 x 3 repeats" for ensembles, with the span of the members' values where there is no
+// reference, "; median of 8 repeats" for their impacts, "; 20 repeats" for the distribution of
+// their peaks, "" for single runs.
 std::string repeats_text(const GateRow& row, const GateEvidence& evidence) {
   if (is_of_repeats(row.metric))
     return fmt::format("; {} repeats{}", ensemble_of(row.candidate, evidence).members.size(),
@@ -179,9 +187,14 @@ std::string repeats_text(const GateRow& row, const GateEvidence& evidence) {
   if (!is_of_ensembles(row, evidence)) return "";
   const std::size_t candidates = ensemble_of(row.candidate, evidence).members.size();
   if (is_of_impacts(row.metric)) return fmt::format("; median of {} repeats", candidates);
-  return row.reference.empty() ? fmt::format("; mean over {} repeats", candidates)
-                               : fmt::format("; mean over {} x {} repeats", candidates,
-                                             reference_of(row, evidence).members.size());
+  if (!row.reference.empty())
+    return fmt::format("; mean over {} x {} repeats", candidates,
+                       reference_of(row, evidence).members.size());
+  const auto [least, most] =
+      std::ranges::minmax(measured_pairs(row, evidence), {},
+                          [](const std::vector<Estimate>& member) { return member.front().value; });
+  return fmt::format("; mean over {} repeats of {} to {}", candidates,
+                     in_unit(least.front().value, row.unit), in_unit(most.front().value, row.unit));
 }
 
 GateOutcome judge_bound(const GateRow& row, const Estimate& value, const GateEvidence& evidence) {
@@ -277,6 +290,13 @@ PlaceOfPeak place_of_peak(const GateRow& row, const GateEvidence& evidence) {
   return place;
 }
 
+// The time over which a frequency without a reference is measured: it falls as a high wave decays.
+std::string span_text(const GateRow& row, const GateEvidence& evidence) {
+  return row.metric != Metric::frequency || row.part
+             ? ""
+             : fmt::format("; over {:g} to {:g} s", evidence.judged.begin, evidence.judged.end);
+}
+
 // A single impact scatters, and one run does not tell by how much.
 std::string single_run_text(const GateRow& row, const GateEvidence& evidence) {
   const bool is_peak = row.metric == Metric::impact_peak_error ||
@@ -350,7 +370,7 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
                                           : judge_bound(row, value, evidence);
     const PlaceOfPeak place =
         row.metric == Metric::largest_magnitude ? place_of_peak(row, evidence) : PlaceOfPeak{};
-    outcome.message += place.when + single_run_text(row, evidence);
+    outcome.message += place.when + span_text(row, evidence) + single_run_text(row, evidence);
     add_remarks(place.larger_outside, evidence, outcome);
     if (row.kind == RowKind::regression) outcome.message += " (regression)";
     return outcome;
@@ -450,8 +470,7 @@ std::string row_name(const GateRow& row) {
 }
 
 std::string in_unit(double value, const std::string& unit) {
-  const double shown = 0.0 + value;  // no negative zero
-  return unit == "1" ? fmt::format("{:.3g} %", 100 * shown) : fmt::format("{:.3g} {}", shown, unit);
+  return unit == "1" ? three_digits(100 * value) + " %" : three_digits(value) + " " + unit;
 }
 
 std::string with_interval(const Estimate& estimate, const std::string& unit) {

@@ -461,27 +461,20 @@ RowDoubts doubts_of_samples(const GateRow& row, const GateEvidence& evidence) {
 
 double spread_of_series(const GateRow& row, const std::vector<std::string>& members,
                         const FindComparison& comparison) {
-  const bool is_of_rms = row.metric == Metric::normalised_rms || row.metric == Metric::aligned_rms;
-  const bool is_of_largest = row.metric == Metric::largest_magnitude;
-  if (!is_of_rms && !is_of_largest) return 0;
+  if (row.metric != Metric::normalised_rms && row.metric != Metric::aligned_rms) return 0;
   double squares = 0;
   for (std::size_t i = 0; i < members.size(); ++i)
     for (std::size_t j = i + 1; j < members.size(); ++j) {
       const Comparison& pair = comparison(members[i], members[j], row.quantity);
-      const double apart = is_of_largest ? pair.maximum_residual
-                           : row.metric == Metric::aligned_rms
-                               ? pair.alignment.normalised_rms * pair.reference_wave.deviation
-                               : pair.normalised_rms.value * pair.reference_wave.deviation;
-      squares += apart * apart;
+      const double apart = row.metric == Metric::aligned_rms ? pair.alignment.normalised_rms
+                                                             : pair.normalised_rms.value;
+      squares += std::pow(apart * pair.reference_wave.deviation, 2);
     }
   if (squares == 0) return 0;
   const double n = static_cast<double>(members.size());
-  const double deviation = std::sqrt(squares / (n * (n - 1)));
   // Any run of the row has the reference's deviation in its comparison.
-  return is_of_largest
-             ? deviation
-             : deviation /
-                   comparison(row.candidate, row.reference, row.quantity).reference_wave.deviation;
+  return std::sqrt(squares / (n * (n - 1))) /
+         comparison(row.candidate, row.reference, row.quantity).reference_wave.deviation;
 }
 
 EnsembleOfRun ensemble_of(const std::string& run, const GateEvidence& evidence) {

@@ -48,8 +48,9 @@ bool is_of_ensembles(const GateRow& row, const GateEvidence& evidence);
 std::vector<std::vector<Estimate>> measured_pairs(const GateRow& row, const GateEvidence& evidence);
 
 // The standard deviation of the members' series about their mean, in the unit of the row's metric,
-// where that is a magnitude (ensemble_mean.hpp): of their differences' rms over the reference's
-// deviation, or of their largest differences. Zero for any other metric and for a single member.
+// where that is the magnitude of a difference (ensemble_mean.hpp): of their differences' rms over
+// the reference's deviation. Zero for any other metric, as for a largest magnitude, which is no
+// difference and whose peaks may come at other times in each repeat, and for a single member.
 // Throws what `comparison` throws.
 double spread_of_series(const GateRow& row, const std::vector<std::string>& members,
                         const FindComparison& comparison);

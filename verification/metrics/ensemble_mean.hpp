@@ -6,9 +6,9 @@
 //   nu = u^4 / ((s_a^2 / n_c)^2 / (n_c - 1) + (s_b^2 / n_r)^2 / (n_r - 1))
 // with s the standard deviations (Welch 1947, Biometrika 34:28; Satterthwaite 1946, Biometrics
 // Bull. 2:110). Valid where the metric is a sum of one term per side, as the logarithm of a ratio
-// is and, nearly, a small error. A magnitude is no such sum: runs that are 15 % too high and 15 %
-// too low have the same one. Its spread is taken from the series, as |m_i - m_j| is at most the
-// magnitude of c_i - c_j:
+// is and, nearly, a small error. The magnitude of a difference is no such sum: runs that are 15 %
+// too high and 15 % too low have the same one. Its spread is taken from the series, as |m_i - m_j|
+// is at most the magnitude of c_i - c_j:
 //   s^2 >= sum over i < j of |c_i - c_j|^2 / (n (n - 1))
 #pragma once
 

@@ -37,15 +37,22 @@ double round_to_place(double value, int place) {
   return 0.0 + (place < 0 ? std::round(value * unit) / unit : std::round(value / unit) * unit);
 }
 
+std::string three_digits(double value) {
+  const double size = std::abs(value);
+  const bool is_long = size >= 1000 && size < 1e7;
+  return is_long ? fmt::format("{:.0f}", round_to_place(value, exponent_of(size) - 2))
+                 : fmt::format("{:.3g}", 0.0 + value);  // no negative zero
+}
+
 std::string interval_text(const Estimate& estimate) {
   const double value = 0.0 + estimate.value, half_width = estimate.half_width;  // no negative zero
   if (std::isinf(half_width)) return "not determined";
-  if (!(half_width > 0) || !std::isfinite(value)) return fmt::format("{:.3g}", value);
+  if (!(half_width > 0) || !std::isfinite(value)) return three_digits(value);
   int place = last_place(value, half_width);
   double shown_half = round_to_place(half_width, place);
   if (value != 0) {
     const int fourth = exponent_of(std::abs(value)) - most_digits + 1;
-    if (half_width < std::pow(10, fourth - 1)) return fmt::format("{:.3g}", value);
+    if (half_width < std::pow(10, fourth - 1)) return three_digits(value);
     if (fourth > place) {
       place = fourth;
       shown_half = std::max(round_to_place(half_width, place), std::pow(10, place));

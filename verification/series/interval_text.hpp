@@ -14,6 +14,9 @@ namespace slosh {
 // has three digits. "not determined" stands for an infinite half width.
 std::string interval_text(const Estimate& estimate);
 
+// Returns three digits: "0.0153", "158000". Powers of ten stand below 1e-4 and from 1e7 on.
+std::string three_digits(double value);
+
 // Rounds to the power of ten: to hundredths for -2. Returns no negative zero.
 double round_to_place(double value, int place);
 

@@ -9,7 +9,6 @@
 #include "verification/case/campaign_definition.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/cli/campaign/printed_headline.hpp"
-#include "verification/evidence/soundness.hpp"
 #include "verification/files/own_files.hpp"
 
 namespace slosh {
@@ -155,8 +154,7 @@ reports::GateDocument gate_document(const AssessedCampaign& assessed, const Gate
       .exit_status = findings.status,
       .inconclusive_passes = findings.inconclusive_passes};
   for (const CaseAssessment& one : assessed.cases) {
-    if (std::string doubt = doubtful_runs(one.definition, one.runs); !doubt.empty())
-      document.doubts[one.definition.name] = std::move(doubt);
+    if (!one.doubts.empty()) document.doubts[one.definition.name] = one.doubts;
     for (const GateOutcome& outcome : one.gate)
       document.entries.push_back(entry_of(one, outcome, findings, source));
     for (const auto& [run, status] : one.runs.status)

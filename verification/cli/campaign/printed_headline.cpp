@@ -6,7 +6,6 @@
 
 #include "reports/summary/shown_rows.hpp"
 #include "verification/assessment/row_kinds.hpp"
-#include "verification/evidence/soundness.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 
 namespace slosh {
@@ -35,9 +34,11 @@ std::string headline_text(const AssessedCampaign& assessed, int status) {
   const std::vector<HeadlineLine> lines = headline_lines(cases, problems);
   std::string text = verdict_text(assessed, lines, status);
   for (const CaseAssessment& one : cases)
-    if (const std::string doubt = doubtful_runs(one.definition, one.runs); !doubt.empty())
-      text += "\n" + doubt;
-  for (const HeadlineLine& line : lines)
+    for (const std::string& doubt : one.doubts) text += "\n" + doubt;
+  // Those of the only case stand in the sentence.
+  const bool is_one = std::ranges::all_of(
+      lines, [&](const HeadlineLine& line) { return line.name == lines.front().name; });
+  for (const HeadlineLine& line : is_one ? std::vector<HeadlineLine>{} : lines)
     text += fmt::format("\n{:<22} {}: {}{}", line.standing, line.name, line_text(line),
                         has_numbers(line) ? "; decided by " + line.decides : "");
   return text;
