@@ -98,7 +98,7 @@ Job job_for(const ProblemDefinition& problem, const CampaignSettings& settings) 
   Job job;
   job.name = problem.name;
   job.log_file = settings.output / "problems" / (problem.name + ".log");
-  job.command = {settings.executable.string(), "problem", problem.name, "--store",
+  job.command = {settings.executable.string(), "run", problem.name, "--store",
                  settings.store.root().string()};
   if (settings.selection.quick) job.command.push_back("--quick");
   job.expected_time = find_problem(problem.name).expected_time;

@@ -27,6 +27,13 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
+// Commands that others have taken in, and the command lines that do what they did.
+constexpr std::pair<const char*, const char*> earlier_commands[] = {
+    {"report", "campaign NAME --report-only"},
+    {"selftest", "gate NAME --selftest"},
+    {"problem", "run PROBLEM"},
+    {"check", "explain CASE"}};
+
 std::string not_known_text(const std::string& wrong, const std::vector<std::string>& known,
                            const char* what) {
   constexpr std::size_t suggestions = 2;
@@ -60,9 +67,8 @@ CLI::Validator one_of(const std::string& expected, const std::vector<std::string
           fmt::format("{{{}}}", fmt::join(names, ","))};
 }
 
-CLI::Option* add_case_argument(CLI::App& command, std::string& name) {
-  return command.add_option("case", name, "A case of `slosh list`, or the path of a case file")
-      ->type_name(case_type);
+CLI::Option* add_case_argument(CLI::App& command, std::string& name, const char* what) {
+  return command.add_option("case", name, what)->type_name(case_type);
 }
 
 void add_experiments_option(CLI::App& command, std::filesystem::path& experiments) {
@@ -83,14 +89,6 @@ void add_shared_store_option(CLI::App& command, std::filesystem::path& store,
                   "Directory of the results, which campaigns share (default: build/store)")
       ->type_name(directory_type)
       ->envname(store_variable);
-}
-
-CLI::Option* add_result_store_option(CLI::App& command, std::filesystem::path& store) {
-  return command
-      .add_option(
-          "--store", store,
-          "Directory of results: keep the result there under its key, unless it exists already")
-      ->type_name(directory_type);
 }
 
 void add_jobs_option(CLI::App& command, int& at_once, const char* what) {
@@ -140,10 +138,8 @@ void add_all_commands(const CommandTree& tree) {
   tree.app.set_version_flag("--version", "Slosh " + provenance("").at("slosh_version"));
   add_campaign_command(tree);
   add_gate_command(tree);
-  add_selftest_command(tree);
   add_baseline_commands(tree);
   add_run_command(tree);
-  add_problem_command(tree);
   add_job_command(tree);
   add_import_command(tree);
   add_compare_command(tree);
@@ -152,7 +148,6 @@ void add_all_commands(const CommandTree& tree) {
   add_store_command(tree);
   add_new_command(tree);
   add_case_command(tree);
-  add_check_command(tree);
   add_list_command(tree);
   add_explain_command(tree);
   add_converge_command(tree);
@@ -161,7 +156,7 @@ void add_all_commands(const CommandTree& tree) {
                   "\nExamples:\n"
                   "  ./slosh list 'li2010_*'\n"
                   "  ./slosh run li2010_small_amplitude linear --output linear.h5\n"
-                  "  ./slosh problem rigid_rotation --quick --output rigid_rotation.json");
+                  "  ./slosh run rigid_rotation --quick --output rigid_rotation.json");
 }
 
 std::string suggestion(const CLI::App& app, const std::vector<std::string>& words) {
@@ -173,6 +168,9 @@ std::string suggestion(const CLI::App& app, const std::vector<std::string>& word
     };
     if (name.starts_with("--") && !is_in(options)) return not_known_text(name, options, "option");
     if (name.starts_with("-") || commands.empty()) continue;
+    for (const auto& [old, form] : earlier_commands)
+      if (name == old && !is_in(commands))
+        return fmt::format("command '{}' is not known; use `./slosh {}`", old, form);
     if (!is_in(commands)) return not_known_text(name, commands, "command");
     return suggestion(*app.get_subcommand(name),
                       {words.begin() + static_cast<long>(i) + 1, words.end()});

@@ -23,7 +23,8 @@ inline constexpr const char* not_printed =
 // What the tool says where nothing is asked of it.
 inline constexpr const char* first_steps =
     "./slosh new my_tank --minimal                  writes a case file of a tank to edit\n"
-    "./slosh check my_tank.toml                     says what is wrong or doubtful in it\n"
+    "./slosh explain my_tank.toml                   says what it computes, and what is wrong or "
+    "doubtful\n"
     "./slosh campaign my_tank.toml                  runs, compares and judges it, with a report\n"
     "./slosh compare mine.csv --case my_tank.toml   sets a series of your own against its theory\n"
     "./slosh --help                                 lists all commands\n";
@@ -39,12 +40,10 @@ struct CommandTree {
   Action& action;
 };
 
-void add_campaign_command(const CommandTree& tree);  // campaign, report
+void add_campaign_command(const CommandTree& tree);
 void add_gate_command(const CommandTree& tree);
-void add_selftest_command(const CommandTree& tree);
 void add_baseline_commands(const CommandTree& tree);  // baseline diff, propose, approve
 void add_run_command(const CommandTree& tree);
-void add_problem_command(const CommandTree& tree);
 void add_job_command(const CommandTree& tree);
 void add_import_command(const CommandTree& tree);
 void add_compare_command(const CommandTree& tree);
@@ -53,7 +52,6 @@ void add_show_command(const CommandTree& tree);
 void add_store_command(const CommandTree& tree);
 void add_new_command(const CommandTree& tree);
 void add_case_command(const CommandTree& tree);
-void add_check_command(const CommandTree& tree);
 void add_list_command(const CommandTree& tree);
 void add_explain_command(const CommandTree& tree);
 void add_converge_command(const CommandTree& tree);
@@ -73,8 +71,8 @@ void give_examples(CLI::App& command, const std::vector<std::string>& examples);
 
 // Options that several commands have. The type of a value says what it names.
 inline constexpr const char *campaign_type = "CAMPAIGN", *case_type = "CASE", *run_type = "RUN",
-                            *problem_type = "PROBLEM", *pattern_type = "PATTERN", *tag_type = "TAG",
-                            *file_type = "FILE", *directory_type = "DIR";
+                            *pattern_type = "PATTERN", *tag_type = "TAG", *file_type = "FILE",
+                            *directory_type = "DIR";
 // Returns the validator without its description, which --help would show beside the type.
 CLI::Validator unnamed(CLI::Validator validator);
 // Checks a number by a rule for case files: it must be finite, and is refused in the same words.
@@ -91,15 +89,14 @@ CLI::Validator keeps(const Rule<T>& rule) {
 }
 // Accepts one of these names, which --help lists. `expected` says what they name: "a shell".
 CLI::Validator one_of(const std::string& expected, const std::vector<std::string>& names);
-CLI::Option* add_case_argument(CLI::App& command, std::string& name);
+CLI::Option* add_case_argument(
+    CLI::App& command, std::string& name,
+    const char* what = "A case of `slosh list`, or the path of a case file");
 void add_experiments_option(CLI::App& command, std::filesystem::path& experiments);
 // The directory of the results that campaigns share: the option, SLOSH_STORE or build/store.
 void add_shared_store_option(CLI::App& command, std::filesystem::path& store,
                              const Installation& installation);
 void add_jobs_option(CLI::App& command, int& at_once, const char* what);
-
-// The option --store of run and problem, which keep their result there under its key.
-CLI::Option* add_result_store_option(CLI::App& command, std::filesystem::path& store);
 
 // The commands of the launcher ./slosh itself.
 struct LauncherCommand {

@@ -64,7 +64,7 @@ void write_selftest_record(const SelftestRecord& record, const fs::path& file) {
 SelftestRecord read_selftest_record(const fs::path& file) {
   if (!fs::exists(file))
     throw SelftestRecordError(file.string() +
-                              ": the file is missing; `slosh selftest --record` writes it");
+                              ": the file is missing; `slosh gate --selftest --record` writes it");
   try {
     const Json content = parsed_json<Json>(read_bytes(file));
     SelftestRecord record{content.at("campaign"), content.at("quick"), {}};

@@ -1,5 +1,5 @@
-// The subcommands campaign and report: run a campaign's cases, compare and judge them, and write
-// the report; or the same from the results that are there.
+// The subcommand campaign: runs a campaign's cases, compares and judges them, and writes the
+// report.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -30,7 +30,7 @@
 namespace slosh {
 namespace {
 
-// `report --all`: one page over all campaigns whose reports lie in a directory.
+// `campaign --report-only --all`: one page over all campaigns whose reports lie in a directory.
 
 namespace fs = std::filesystem;
 
@@ -60,7 +60,7 @@ int write_report_of_all(const CampaignOptions& options, const Installation& inst
     } catch (const std::invalid_argument& error) {
       left_out.push_back(legible_message(file.lexically_relative(directory).string()));
       std::cerr << legible_message(
-          fmt::format("{}: {}; `slosh report NAME` writes the campaign's report anew\n",
+          fmt::format("{}: {}; `slosh campaign NAME --report-only` writes its report anew\n",
                       file.string(), error.what()));
     }
   if (campaigns.empty() && left_out.empty())
@@ -159,57 +159,48 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   });
 }
 
-// Takes the place of the name of one campaign, and of what concerns the runs of one.
-void add_all_option(CLI::App& report, CampaignOptions& options) {
-  CLI::Option* all = report.add_flag(
-      "--all", options.all,
-      "One page over all campaigns that have a report in DIR/NAME/report (default of DIR: "
-      "build/campaigns): their verdicts, and bias and scatter of each model over all of them");
-  report.get_option("name")->required(false);
-  for (const char* other : {"name", "--quick", "--only", "--tag"})
-    all->excludes(report.get_option(other));
-}
-
 void add_start_options(CLI::App& command, CampaignOptions& options) {
   command.add_flag("--dry-run", options.dry_run,
                    "Only print what would be run, what that costs and what is kept");
   command.add_flag("--resume", options.resume, "Continue an earlier start, which must exist");
+  CLI::Option* report_only =
+      command.add_flag("--report-only", options.report_only,
+                       "Start no solver: compare, report and gate the results that are there");
+  for (const char* other : {"--dry-run", "--resume", "--jobs", "--launcher", "--timings"})
+    report_only->excludes(command.get_option(other));
+  // Takes the place of the name of one campaign, and of what concerns the runs of one.
+  CLI::Option* all = command.add_flag(
+      "--all", options.all,
+      "One page over all campaigns that have a report in DIR/NAME/report (default of DIR: "
+      "build/campaigns): their verdicts, and bias and scatter of each model over all of them");
+  all->needs(report_only);
+  command.get_option("name")->required(false);
+  for (const char* other : {"name", "--quick", "--only", "--tag"})
+    all->excludes(command.get_option(other));
 }
 
 }  // namespace
 
 void add_campaign_command(const CommandTree& tree) {
-  const auto judge = [tree](CampaignOptions options, bool solve) {
-    tree.stop_on_signals();
-    options.solve = solve;
-    return run_campaign(options, tree.installation, tree.stop);
-  };
-  const auto [campaign, campaign_options] = add_command_on_campaign(
+  const auto [campaign, options] = add_command_on_campaign(
       tree,
       {"campaign",
        "Runs a campaign's cases, compares, reports and gates",
        {"./slosh campaign " + std::string(example_run),
         "./slosh campaign verification --only rigid_rotation -o problems",
-        "./slosh campaign small_amplitude --dry-run"}},
-      [judge](const CampaignOptions& options) { return judge(options, true); });
-  add_selection_options(*campaign, campaign_options->selection);
-  add_inconclusive_option(*campaign, *campaign_options);
-  add_launch_options(*campaign, *campaign_options);
-  add_start_options(*campaign, *campaign_options);
-  const auto [report, report_options] = add_command_on_campaign(
-      tree,
-      {"report",
-       "Does the same with the existing results; starts no solver",
-       {"./slosh report " + std::string(example_run)}},
-      [judge, tree](const CampaignOptions& options) {
-        if (options.all) return report_of_all(options, tree.installation, tree.stop);
-        if (options.campaign.empty())
-          throw CaseFileError("name: expected a campaign, or --all for all that have a report");
-        return judge(options, false);
+        "./slosh campaign small_amplitude --dry-run",
+        "./slosh campaign --report-only " + std::string(example_run)}},
+      [tree](const CampaignOptions& given) {
+        if (given.all) return report_of_all(given, tree.installation, tree.stop);
+        if (given.campaign.empty())
+          throw CaseFileError("name: expected a campaign, or --report-only --all");
+        tree.stop_on_signals();
+        return run_campaign(given, tree.installation, tree.stop);
       });
-  add_selection_options(*report, report_options->selection);
-  add_inconclusive_option(*report, *report_options);
-  add_all_option(*report, *report_options);
+  add_selection_options(*campaign, options->selection);
+  add_inconclusive_option(*campaign, *options);
+  add_launch_options(*campaign, *options);
+  add_start_options(*campaign, *options);
 }
 
 }  // namespace slosh

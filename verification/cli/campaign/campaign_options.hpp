@@ -16,7 +16,7 @@ namespace slosh {
 struct CampaignOptions {
   std::string campaign;
   RunSelection selection = {};  // --quick, --only and --tag
-  bool solve = true;            // false: only read existing results
+  bool report_only = false;     // only read existing results
   int at_once = 1;
   Engine engine = Engine::ninja;
   bool dry_run = false;              // only print what would be done

@@ -154,7 +154,7 @@ AssessedCampaign assess(RequestedCampaign campaign, const std::atomic<bool>& sto
 }
 
 AssessedCampaign assess_present(CampaignOptions options, const Installation& installation) {
-  options.solve = false;
+  options.report_only = true;
   const std::atomic<bool> never{false};
   return assess(requested(options, installation), never);
 }
@@ -203,7 +203,7 @@ RequestedCampaign requested(const CampaignOptions& options, const Installation& 
                        .openfoam_templates = installation.openfoam_templates,
                        .experiments = experiments,
                        .selection = options.selection,
-                       .solve = options.solve,
+                       .solve = !options.report_only,
                        .engine = options.engine,
                        .at_once = options.at_once,
                        .timing = timing_of(campaign.definition, options)};

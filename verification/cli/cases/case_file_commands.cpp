@@ -1,10 +1,8 @@
-// The subcommand explain: describes a case in words, with the known costs of its runs, or lists the
-// keys of case files.
+// The subcommand explain: says all that is wrong with a case file and all that is doubtful about
+// it, before anything runs, and describes the case in words, with the known costs of its runs; or
+// lists the keys of case files.
 //
 // The subcommand new: writes a case file for the user to edit, with each key explained.
-//
-// The subcommand check: says all that is wrong with a case file, and all that is doubtful about it,
-// before anything runs.
 
 #include <fmt/format.h>
 
@@ -32,11 +30,6 @@
 namespace slosh {
 namespace {
 
-struct CheckOptions {
-  std::string case_name;
-  std::filesystem::path experiments;
-};
-
 // The theories that are sums of known functions, at most `most_samples` of each and ten times as
 // many at all gauges together, without the estimates of what they leave out: they tell whether a
 // theory leaves its range.
@@ -56,16 +49,12 @@ CaseRuns closed_forms(CaseDefinition definition) {
   return runs;
 }
 
-int check(const CheckOptions& options, const Installation& installation) {
-  const CaseDefinition definition =
-      read_case(find_case(options.case_name, installation.cases), whole(options.experiments));
-  require_runnable(std::vector<CaseDefinition>{definition});
+void print_doubts(const CaseDefinition& definition) {
   const std::vector<std::string> doubts = case_doubts(definition, closed_forms(definition));
-  std::cout << definition.name << ": nothing is wrong";
-  if (doubts.empty()) std::cout << " or doubtful";
-  std::cout << "\n";
-  for (const std::string& doubt : doubts) std::cout << "doubtful: " << doubt << "\n";
-  return exit_pass;
+  std::string text = fmt::format("\n{}: nothing is wrong{}\n", definition.name,
+                                 doubts.empty() ? " or doubtful" : "");
+  for (const std::string& doubt : doubts) text += "doubtful: " + doubt + "\n";
+  print_lines(text);
 }
 
 struct NewOptions {
@@ -76,7 +65,7 @@ struct NewOptions {
 
 // 25 lines, without a sentence that belongs to another case.
 constexpr const char* minimal_case =
-    R"(# Next: ./slosh check {0}.toml, ./slosh campaign {0}.toml. All keys: ./slosh explain --keys
+    R"(# Next: ./slosh explain {0}.toml, ./slosh campaign {0}.toml. All keys: ./slosh explain --keys
 schema_version = 1
 name = "{0}"
 title = "{0}"
@@ -150,50 +139,34 @@ void leave_drawings(const CaseDefinition& definition, const Installation& instal
   std::cerr << "no drawings: " << error.what() << "\n";
 }
 
-int explain(const std::string& name, const Installation& installation) {
-  const CaseDefinition definition = read_case(find_case(name, installation.cases));
+struct ExplainOptions {
+  std::string name, schema;
+  bool keys = false;
+  std::filesystem::path experiments;
+};
+
+int explain_case(const ExplainOptions& options, const Installation& installation) {
+  const CaseDefinition definition =
+      read_case(find_case(options.name, installation.cases), whole(options.experiments));
+  require_runnable(std::vector<CaseDefinition>{definition});
   std::map<std::string, KnownRun> known;
   for (const RunDefinition& run : definition.runs)
     known[run.name] = known_run(definition, run, installation);
   std::cout << explanation(definition, known);
+  print_doubts(definition);
   leave_drawings(definition, installation);
   return exit_pass;
 }
 
-int print_keys() {
-  std::cout << key_reference();
-  return exit_pass;
-}
-
-int print_schema(const std::string& kind) {
-  std::cout << (kind == "case" ? case_schema() : campaign_schema());
-  return exit_pass;
-}
-
-struct ExplainOptions {
-  std::string name, schema;
-  bool keys = false;
-};
-
 int explain(const ExplainOptions& options, const Installation& installation) {
-  if (options.keys) return print_keys();
-  return options.schema.empty() ? explain(options.name, installation)
-                                : print_schema(options.schema);
+  if (!options.keys && options.schema.empty()) return explain_case(options, installation);
+  std::cout << (options.keys               ? key_reference()
+                : options.schema == "case" ? case_schema()
+                                           : campaign_schema());
+  return exit_pass;
 }
 
 }  // namespace
-
-void add_check_command(const CommandTree& tree) {
-  auto options = std::make_shared<CheckOptions>();
-  CLI::App& command = add_command(
-      tree,
-      {"check",
-       "Says what is wrong with a case file (exit status 2), and what is doubtful about it",
-       {"./slosh check li2010_small_amplitude"}},
-      [options, &installation = tree.installation] { return check(*options, installation); });
-  add_case_argument(command, options->case_name)->required();
-  add_experiments_option(command, options->experiments);
-}
 
 void add_new_command(const CommandTree& tree) {
   auto options = std::make_shared<NewOptions>();
@@ -223,11 +196,13 @@ void add_explain_command(const CommandTree& tree) {
   CLI::App& command = add_command(
       tree,
       {"explain",
-       "Explains a case: its flow, its solvers and their costs, and its gate rows",
+       "Says what is wrong with a case file (exit status 2), or explains the case: its flow, its "
+       "solvers and their costs, its gate rows, and what is doubtful about it",
        {"./slosh explain li2010_small_amplitude", "./slosh explain --keys",
         "./slosh explain --schema case"}},
       [options, &installation = tree.installation] { return explain(*options, installation); });
   CLI::Option* name = add_case_argument(command, options->name);
+  add_experiments_option(command, options->experiments);
   CLI::Option* keys =
       command.add_flag("--keys", options->keys,
                        "Instead of a case: all keys of case and campaign files, as Markdown");
@@ -239,7 +214,7 @@ void add_explain_command(const CommandTree& tree) {
       ->excludes(name)
       ->excludes(keys);
   keys->excludes(name);
-  command.require_option(1);
+  command.require_option();
 }
 
 }  // namespace slosh

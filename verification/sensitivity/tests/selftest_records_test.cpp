@@ -39,9 +39,9 @@ class SelftestRecords : public ::testing::TestWithParam<fs::path> {
         read_campaign(GetParam(), verification / "cases", known_problems());
     if (campaign.cases.empty()) return;
     const fs::path file = selftest_record_file(verification / "baselines", campaign.name, quick);
-    ASSERT_TRUE(fs::exists(file)) << "no self-test of this form is recorded; ./slosh selftest "
+    ASSERT_TRUE(fs::exists(file)) << "no self-test of this form is recorded; ./slosh gate "
                                   << campaign.name << (quick ? " --quick" : "")
-                                  << " --record makes it";
+                                  << " --selftest --record makes it";
     try {
       const SelftestRecord record = read_selftest_record(file);
       EXPECT_EQ(record.campaign, campaign.name);
