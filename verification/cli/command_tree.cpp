@@ -68,15 +68,13 @@ CLI::Validator one_of(const std::string& expected, const std::vector<std::string
 }
 
 CLI::Option* add_case_argument(CLI::App& command, std::string& name, const char* what) {
-  return command.add_option("case", name, what)->type_name(case_type);
+  return add_option(command, "case", name, case_type, what);
 }
 
 void add_experiments_option(CLI::App& command, std::filesystem::path& experiments) {
-  command
-      .add_option("--experiments", experiments,
-                  "Directory of your experimental records; without it the runs that need one are "
-                  "reported as not supplied")
-      ->type_name(directory_type)
+  add_option(command, "--experiments", experiments, directory_type,
+             "Directory of your experimental records; without it the runs that need one are "
+             "reported as not supplied")
       ->envname("SLOSH_EXPERIMENTS")
       ->check(unnamed(CLI::ExistingDirectory));
 }
@@ -84,17 +82,14 @@ void add_experiments_option(CLI::App& command, std::filesystem::path& experiment
 void add_shared_store_option(CLI::App& command, std::filesystem::path& store,
                              const Installation& installation) {
   store = usual_store(installation);
-  command
-      .add_option("--store", store,
-                  "Directory of the results, which campaigns share (default: build/store)")
-      ->type_name(directory_type)
+  add_option(command, "--store", store, directory_type,
+             "Directory of the results, which campaigns share (default: build/store)")
       ->envname(store_variable);
 }
 
 void add_jobs_option(CLI::App& command, int& at_once, const char* what) {
   at_once = sph::usable_cores();
-  command.add_option("-j,--jobs", at_once, fmt::format("{} (default: one a core)", what))
-      ->type_name("N")
+  add_option(command, "-j,--jobs", at_once, "N", fmt::format("{} (default: one a core)", what))
       ->check(keeps(at_least(1)));
 }
 

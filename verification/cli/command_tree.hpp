@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -67,12 +68,32 @@ struct CommandText {
 };
 
 CLI::App& add_command(const CommandTree& tree, const CommandText& text, Action action);
+
+// Adds a command that does `act(options, installation)` with options of its own: the environment
+// fills in the options of every command, whether the command is called or not.
+template <class Options>
+struct AddedCommand {
+  CLI::App& command;
+  Options& options;
+};
+template <class Options, class Act>
+AddedCommand<Options> add_command_with(const CommandTree& tree, const CommandText& text, Act act) {
+  const auto options = std::make_shared<Options>();
+  return {add_command(tree, text, [=, &data = tree.installation] { return act(*options, data); }),
+          *options};
+}
 void give_examples(CLI::App& command, const std::vector<std::string>& examples);
 
 // Options that several commands have. The type of a value says what it names.
 inline constexpr const char *campaign_type = "CAMPAIGN", *case_type = "CASE", *run_type = "RUN",
                             *pattern_type = "PATTERN", *tag_type = "TAG", *file_type = "FILE",
                             *directory_type = "DIR";
+// Adds an option whose value is of this type.
+template <class Value>
+CLI::Option* add_option(CLI::App& command, const std::string& names, Value& value, const char* type,
+                        const std::string& text) {
+  return command.add_option(names, value, text)->type_name(type);
+}
 // Returns the validator without its description, which --help would show beside the type.
 CLI::Validator unnamed(CLI::Validator validator);
 // Checks a number by a rule for case files: it must be finite, and is refused in the same words.

@@ -149,25 +149,20 @@ int list(const ListOptions& options, const Installation& installation) {
 }  // namespace
 
 void add_list_command(const CommandTree& tree) {
-  auto options = std::make_shared<ListOptions>();
-  CLI::App& command = add_command(
+  const auto [command, options] = add_command_with<ListOptions>(
       tree,
       {"list",
        "Lists campaigns, cases and their runs, and problems",
        {"./slosh list", "./slosh list 'li2010_*/recommended_*' rigid_rotation",
         "./slosh list --tag small_amplitude --json", "./slosh list 'extreme_*' --names runs"}},
-      [options, &installation = tree.installation] { return list(*options, installation); });
-  command
-      .add_option("pattern", options->selection.only,
-                  "Only names, or runs as CASE/RUN, that one of these patterns matches")
-      ->type_name(pattern_type);
-  command
-      .add_option("--tag", options->selection.tags, "Only cases with this tag; may be given again")
-      ->type_name(tag_type)
+      list);
+  add_option(command, "pattern", options.selection.only, pattern_type,
+             "Only names, or runs as CASE/RUN, that one of these patterns matches");
+  add_option(command, "--tag", options.selection.tags, tag_type,
+             "Only cases with this tag; may be given again")
       ->allow_extra_args(false);
-  CLI::Option* json = command.add_flag("--json", options->as_json, "As JSON");
-  command.add_option("--names", options->names, "Bare names of one kind, one a line")
-      ->type_name("KIND")
+  CLI::Option* json = command.add_flag("--json", options.as_json, "As JSON");
+  add_option(command, "--names", options.names, "KIND", "Bare names of one kind, one a line")
       ->check(one_of("a kind", {"campaigns", "cases", "runs", "problems", "tags"}))
       ->excludes(json);
 }

@@ -313,78 +313,57 @@ int run_one(const RunOptions& options, const Installation& installation) {
 }
 
 void add_state_options(CLI::App& command, RunOptions& options) {
-  command
-      .add_option("--snapshots", options.snapshot_interval,
-                  "Interval of particle snapshots for ParaView [s], of an SPH run: a multiple of "
-                  "the case's sample_interval_s")
-      ->type_name("SECONDS")
+  add_option(command, "--snapshots", options.snapshot_interval, "SECONDS",
+             "Interval of particle snapshots for ParaView [s], of an SPH run: a multiple of "
+             "the case's sample_interval_s")
       ->check(keeps(positive("s")));
-  command
-      .add_option("--states", options.state_interval,
-                  "Interval at which the state of an SPH run is saved beside its result [s]: a "
-                  "multiple of the case's sample_interval_s")
-      ->type_name("SECONDS")
+  add_option(command, "--states", options.state_interval, "SECONDS",
+             "Interval at which the state of an SPH run is saved beside its result [s]: a "
+             "multiple of the case's sample_interval_s")
       ->check(keeps(positive("s")));
-  command
-      .add_option(
-          "--resume", options.resume,
-          "A saved state from which the run continues, bit for bit (with the same --states)")
-      ->type_name(file_type)
+  add_option(command, "--resume", options.resume, file_type,
+             "A saved state from which the run continues, bit for bit (with the same --states)")
       ->check(unnamed(CLI::ExistingFile));
 }
 
 }  // namespace
 
 void add_run_command(const CommandTree& tree) {
-  auto options = std::make_shared<RunOptions>();
-  CLI::App& command = add_command(
+  const auto [command, options] = add_command_with<RunOptions>(
       tree,
       {"run",
        "Executes one run of a case, or solves one verification problem, and writes its result file",
        {"./slosh run li2010_small_amplitude recommended_25mm",
         "./slosh run li2010_small_amplitude recommended_25mm --output shown.h5 --snapshots 5",
         "./slosh run rigid_rotation --quick"}},
-      [options, &installation = tree.installation] { return run_one(*options, installation); });
-  add_case_argument(command, options->case_name,
+      run_one);
+  add_case_argument(command, options.case_name,
                     "A case or problem of `slosh list`, or the path of a case file")
       ->required();
-  CLI::Option* run =
-      command.add_option("run", options->run, "The run's name in the case; a problem has none")
-          ->type_name(run_type);
-  command.add_flag("--quick", options->quick, "A problem without the finest resolutions")
+  CLI::Option* run = add_option(command, "run", options.run, run_type,
+                                "The run's name in the case; a problem has none");
+  command.add_flag("--quick", options.quick, "A problem without the finest resolutions")
       ->excludes(run);
-  command
-      .add_option("-o,--output", options->output, "Result file (default: RUN.h5 or PROBLEM.json)")
-      ->type_name(file_type);
-  add_state_options(command, *options);
-  command
-      .add_option("--time-limit", options->time_limit,
-                  "Wall time after which interFoam is stopped [s]")
-      ->type_name("SECONDS")
+  add_option(command, "-o,--output", options.output, file_type,
+             "Result file (default: RUN.h5 or PROBLEM.json)");
+  add_state_options(command, options);
+  add_option(command, "--time-limit", options.time_limit, "SECONDS",
+             "Wall time after which interFoam is stopped [s]")
       ->check(keeps(positive("s")));
-  add_experiments_option(command, options->experiments);
+  add_experiments_option(command, options.experiments);
+  add_option(command, "--progress-file", options.progress_file, file_type,
+             "The file to which the run writes its progress");
+  add_option(command, "--campaign", options.campaign, campaign_type,
+             "A campaign, by name or path, whose sweeps add runs to the case");
+  CLI::Option* store = add_option(
+      command, "--store", options.store, directory_type,
+      "Directory of results: keep the result there under its key, unless it exists already");
   command
-      .add_option("--progress-file", options->progress_file,
-                  "The file to which the run writes its progress")
-      ->type_name(file_type);
-  command
-      .add_option("--campaign", options->campaign,
-                  "A campaign, by name or path, whose sweeps add runs to the case")
-      ->type_name(campaign_type);
-  CLI::Option* store =
-      command
-          .add_option(
-              "--store", options->store,
-              "Directory of results: keep the result there under its key, unless it exists already")
-          ->type_name(directory_type);
-  command
-      .add_flag("--timing", options->timing,
+      .add_flag("--timing", options.timing,
                 "Repeat the run of the store and add the cost to its timings")
       ->needs(store);
-  command
-      .add_option("--longest", options->longest,
-                  "Skip a run that took more processor time [s] (default: none)")
-      ->type_name("SECONDS")
+  add_option(command, "--longest", options.longest, "SECONDS",
+             "Skip a run that took more processor time [s] (default: none)")
       ->needs("--timing");
   for (const char* other : {"--output", "--snapshots", "--states", "--resume", "--time-limit"})
     store->excludes(command.get_option(other));

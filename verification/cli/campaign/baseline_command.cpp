@@ -125,12 +125,10 @@ void add_baseline_commands(const CommandTree& tree) {
                        auto command) {
     const auto [added, options] = add_command_on_campaign(
         below, {name, description, {std::string("./slosh baseline ") + name + example + more}},
-        [command, &installation = tree.installation](const CampaignOptions& given) {
-          return command(given, installation);
-        });
-    add_ledger_option(*added, *options);
-    add_new_ledger_option(*added, *options);
-    return added;
+        command);
+    add_ledger_option(added, options);
+    added.add_flag("--new", options.new_ledger, "Begin a ledger that is not there yet");
+    return &added;
   };
   add("diff", "Prints what has changed; exit status 1 if anything has", "", diff_baseline);
   add("propose", "Writes a proposal to make the present results the baseline", "",

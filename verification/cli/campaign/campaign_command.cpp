@@ -159,7 +159,7 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   });
 }
 
-void add_start_options(CLI::App& command, CampaignOptions& options) {
+void add_own_options(CLI::App& command, CampaignOptions& options) {
   command.add_flag("--dry-run", options.dry_run,
                    "Only print what would be run, what that costs and what is kept");
   command.add_flag("--resume", options.resume, "Continue an earlier start, which must exist");
@@ -175,6 +175,9 @@ void add_start_options(CLI::App& command, CampaignOptions& options) {
       "build/campaigns): their verdicts, and bias and scatter of each model over all of them");
   all->needs(report_only);
   command.get_option("name")->required(false);
+  command.parse_complete_callback([&options] {
+    if (options.campaign.empty() && !options.all) throw CLI::RequiredError("name");
+  });
   for (const char* other : {"name", "--quick", "--only", "--tag"})
     all->excludes(command.get_option(other));
 }
@@ -182,7 +185,7 @@ void add_start_options(CLI::App& command, CampaignOptions& options) {
 }  // namespace
 
 void add_campaign_command(const CommandTree& tree) {
-  const auto [campaign, options] = add_command_on_campaign(
+  const auto [command, options] = add_command_on_campaign(
       tree,
       {"campaign",
        "Runs a campaign's cases, compares, reports and gates",
@@ -190,17 +193,13 @@ void add_campaign_command(const CommandTree& tree) {
         "./slosh campaign verification --only rigid_rotation -o problems",
         "./slosh campaign small_amplitude --dry-run",
         "./slosh campaign --report-only " + std::string(example_run)}},
-      [tree](const CampaignOptions& given) {
+      [tree](const CampaignOptions& given, const Installation&) {
         if (given.all) return report_of_all(given, tree.installation, tree.stop);
-        if (given.campaign.empty())
-          throw CaseFileError("name: expected a campaign, or --report-only --all");
         tree.stop_on_signals();
         return run_campaign(given, tree.installation, tree.stop);
       });
-  add_selection_options(*campaign, options->selection);
-  add_inconclusive_option(*campaign, *options);
-  add_launch_options(*campaign, *options);
-  add_start_options(*campaign, *options);
+  add_start_options(command, options);
+  add_own_options(command, options);
 }
 
 }  // namespace slosh

@@ -36,22 +36,17 @@ struct CampaignOptions {
 
 // Each of these adds a few options to a command.
 void add_campaign_options(CLI::App& command, CampaignOptions& options);
-void add_selection_options(CLI::App& command, RunSelection& selection);
-void add_inconclusive_option(CLI::App& command, CampaignOptions& options);
 void add_ledger_option(CLI::App& command, CampaignOptions& options);
-void add_new_ledger_option(CLI::App& command, CampaignOptions& options);
-void add_launch_options(CLI::App& command, CampaignOptions& options);
+// The selection, the launch, and the exit status of inconclusive rows.
+void add_start_options(CLI::App& command, CampaignOptions& options);
 
-// Adds a command and gives it options of its own: the environment fills in the options of every
-// command, whether the command is called or not.
-template <class Command>
-std::pair<CLI::App*, std::shared_ptr<CampaignOptions>> add_command_on_campaign(
-    const CommandTree& tree, const CommandText& text, Command command) {
-  auto options = std::make_shared<CampaignOptions>();
-  CLI::App& added = add_command(tree, text, [options, command] { return command(*options); });
-  add_campaign_options(added, *options);
-  add_shared_store_option(added, options->store, tree.installation);
-  return {&added, options};
+template <class Act>
+AddedCommand<CampaignOptions> add_command_on_campaign(const CommandTree& tree,
+                                                      const CommandText& text, Act act) {
+  const auto added = add_command_with<CampaignOptions>(tree, text, act);
+  add_campaign_options(added.command, added.options);
+  add_shared_store_option(added.command, added.options.store, tree.installation);
+  return added;
 }
 
 // The arguments of the examples that several commands show.

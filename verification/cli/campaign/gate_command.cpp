@@ -191,33 +191,32 @@ void add_gate_command(const CommandTree& tree) {
     bool record = false;  // write the findings beside the baselines (selftest_record.hpp)
   };
   const auto selftest = std::make_shared<SelftestOptions>();
-  const auto [gate, gate_options] = add_command_on_campaign(
+  const auto [command, options] = add_command_on_campaign(
       tree,
       {"gate",
        "Runs what a campaign still needs, prints what has changed since its baseline, and writes "
        "junit.xml and gate.md",
        {"./slosh gate " + std::string(example_run) + " --inconclusive-exit 0",
         "./slosh gate --selftest " + std::string(example_run)}},
-      [tree, selftest](const CampaignOptions& options) {
-        if (selftest->asked) return selftest_campaign(options, selftest->record, tree.installation);
+      [tree, selftest](const CampaignOptions& given, const Installation& installation) {
+        if (selftest->asked) return selftest_campaign(given, selftest->record, installation);
         tree.stop_on_signals();
-        return superseding(options, tree.installation, tree.stop, [&](EarlierVerdicts& earlier) {
-          return gate_campaign({options, tree.installation, tree.stop, earlier});
+        return superseding(given, installation, tree.stop, [&](EarlierVerdicts& earlier) {
+          return gate_campaign({given, installation, tree.stop, earlier});
         });
       });
-  add_selection_options(*gate, gate_options->selection);
-  add_inconclusive_option(*gate, *gate_options);
-  add_launch_options(*gate, *gate_options);
-  add_ledger_option(*gate, *gate_options);
-  CLI::Option* asked = gate->add_flag(
+  add_start_options(command, options);
+  add_ledger_option(command, options);
+  CLI::Option* asked = command.add_flag(
       "--selftest", selftest->asked,
       "Only spoil each candidate on purpose, on the results that are there, and test whether the "
       "rows of each case together detect what every case must detect");
   for (const char* other : {"--inconclusive-exit", "--jobs", "--launcher", "--timings", "--ledger"})
-    asked->excludes(gate->get_option(other));
-  gate->add_flag("--record", selftest->record,
-                 "Write the findings to verification/baselines/NAME.selftest.json, with -quick "
-                 "after the NAME of a quick form")
+    asked->excludes(command.get_option(other));
+  command
+      .add_flag("--record", selftest->record,
+                "Write the findings to verification/baselines/NAME.selftest.json, with -quick "
+                "after the NAME of a quick form")
       ->needs(asked);
 }
 

@@ -95,33 +95,24 @@ int leave_case_for_code(const CaseOptions& options, const Installation& installa
 }  // namespace
 
 void add_case_command(const CommandTree& tree) {
-  auto options = std::make_shared<CaseOptions>();
-  CLI::App& command =
-      add_command(tree,
-                  {"case",
-                   "Writes a case for another code, with the run that takes its output back",
-                   {"./slosh case li2010_small_amplitude --for dualsphysics -o li2010_dualsphysics",
-                    "./slosh case zhao2021_mild_roll --for csv -o zhao2021_tables"}},
-                  [options, &installation = tree.installation] {
-                    return leave_case_for_code(*options, installation);
-                  });
-  add_case_argument(command, options->case_name)->required();
-  command.add_option("--for", options->code, "The code")
-      ->type_name("CODE")
+  const auto [command, options] = add_command_with<CaseOptions>(
+      tree,
+      {"case",
+       "Writes a case for another code, with the run that takes its output back",
+       {"./slosh case li2010_small_amplitude --for dualsphysics -o li2010_dualsphysics",
+        "./slosh case zhao2021_mild_roll --for csv -o zhao2021_tables"}},
+      leave_case_for_code);
+  add_case_argument(command, options.case_name)->required();
+  add_option(command, "--for", options.code, "CODE", "The code")
       ->check(one_of("a code", peer_code_names()))
       ->required();
-  command
-      .add_option(
-          "--spacing", options->spacing,
-          "Spacing of particles or size of cells, in m (default: the nearest to that of the "
-          "case's coarsest SPH run that divides the liquid; the cells of its first "
-          "interFoam run)")
-      ->type_name("DP")
+  add_option(command, "--spacing", options.spacing, "DP",
+             "Spacing of particles or size of cells, in m (default: the nearest to that of the "
+             "case's coarsest SPH run that divides the liquid; the cells of its first "
+             "interFoam run)")
       ->check(keeps(positive("m")));
-  command
-      .add_option("-o,--output", options->output,
-                  "The directory to write, which is not there yet or empty")
-      ->type_name(directory_type)
+  add_option(command, "-o,--output", options.output, directory_type,
+             "The directory to write, which is not there yet or empty")
       ->required();
 }
 

@@ -169,47 +169,39 @@ int explain(const ExplainOptions& options, const Installation& installation) {
 }  // namespace
 
 void add_new_command(const CommandTree& tree) {
-  auto options = std::make_shared<NewOptions>();
-  CLI::App& command = add_command(
+  const auto [command, options] = add_command_with<NewOptions>(
       tree,
       {"new",
        "Writes a case file to edit, like another case, with each key explained",
        {"./slosh new my_tank --minimal",
         "./slosh new my_wave --like li2010_small_amplitude -o my_wave.toml"}},
-      [options, &installation = tree.installation] { return leave_case(*options, installation); });
-  command.add_option("name", options->name, "The name of the new case")
-      ->type_name("NAME")
-      ->required();
+      leave_case);
+  add_option(command, "name", options.name, "NAME", "The name of the new case")->required();
   CLI::Option* like =
-      command
-          .add_option("--like", options->like,
-                      "The case to begin with: one of `slosh list`, or the path of a case file")
-          ->type_name(case_type);
-  command.add_flag("--minimal", options->minimal, "Begin with a small tank in surge, in 25 lines")
+      add_option(command, "--like", options.like, case_type,
+                 "The case to begin with: one of `slosh list`, or the path of a case file");
+  command.add_flag("--minimal", options.minimal, "Begin with a small tank in surge, in 25 lines")
       ->excludes(like);
-  command.add_option("-o,--output", options->output, "The new case file (default: NAME.toml)")
-      ->type_name(file_type);
+  add_option(command, "-o,--output", options.output, file_type,
+             "The new case file (default: NAME.toml)");
 }
 
 void add_explain_command(const CommandTree& tree) {
-  auto options = std::make_shared<ExplainOptions>();
-  CLI::App& command = add_command(
+  const auto [command, options] = add_command_with<ExplainOptions>(
       tree,
       {"explain",
        "Says what is wrong with a case file (exit status 2), or explains the case: its flow, its "
        "solvers and their costs, its gate rows, and what is doubtful about it",
        {"./slosh explain li2010_small_amplitude", "./slosh explain --keys",
         "./slosh explain --schema case"}},
-      [options, &installation = tree.installation] { return explain(*options, installation); });
-  CLI::Option* name = add_case_argument(command, options->name);
-  add_experiments_option(command, options->experiments);
+      explain);
+  CLI::Option* name = add_case_argument(command, options.name);
+  add_experiments_option(command, options.experiments);
   CLI::Option* keys =
-      command.add_flag("--keys", options->keys,
+      command.add_flag("--keys", options.keys,
                        "Instead of a case: all keys of case and campaign files, as Markdown");
-  command
-      .add_option("--schema", options->schema,
-                  "Instead of a case: the JSON Schema of case or campaign files, for editors")
-      ->type_name("KIND")
+  add_option(command, "--schema", options.schema, "KIND",
+             "Instead of a case: the JSON Schema of case or campaign files, for editors")
       ->check(one_of("a kind of file", {"case", "campaign"}))
       ->excludes(name)
       ->excludes(keys);
