@@ -41,7 +41,7 @@ std::string uncertainties_text(const ThreeWayOutcome& judged, const std::string&
 std::string remedy_text(const CaseDefinition& definition, const GateOutcome& outcome);
 
 // Those that do not pass or are in doubt, worst first, then those that pass, folded. Each row has
-// its anchor (report_places.hpp).
+// its anchor (case_text.hpp).
 std::vector<reports::Table> gate_tables(const CaseAssessment& assessment);
 
 // Each judged row on ensembles (ensemble_mean.hpp).

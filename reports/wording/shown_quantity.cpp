@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "reports/wording/report_places.hpp"
+#include "reports/wording/case_text.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/series/low_pass_filter.hpp"

@@ -25,6 +25,8 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/limit_option.hpp"
 #include "verification/cli/stored_run.hpp"
+#include "verification/cli/texts/campaign_text.hpp"
+#include "verification/cli/texts/comparison_text.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/evidence/soundness.hpp"
 #include "verification/files/own_files.hpp"
@@ -37,8 +39,6 @@
 #include "verification/results/result_file.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/solvers/external_facts.hpp"
-#include "verification/texts/campaign_text.hpp"
-#include "verification/texts/comparison_text.hpp"
 
 namespace slosh {
 namespace {

@@ -11,7 +11,8 @@
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/stored_run.hpp"
-#include "verification/display/progress_display.hpp"
+#include "verification/cli/texts/result_text.hpp"
+#include "verification/engine/progress_display.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/gate/gate.hpp"
@@ -19,7 +20,6 @@
 #include "verification/runs/expected_cost.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
-#include "verification/texts/result_text.hpp"
 
 namespace slosh {
 namespace {

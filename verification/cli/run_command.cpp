@@ -20,8 +20,9 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/installation.hpp"
 #include "verification/cli/stored_run.hpp"
-#include "verification/display/progress_display.hpp"
-#include "verification/engine/run_job.hpp"
+#include "verification/cli/texts/result_text.hpp"
+#include "verification/engine/job_list.hpp"
+#include "verification/engine/progress_display.hpp"
 #include "verification/files/file_lock.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
@@ -35,7 +36,6 @@
 #include "verification/runs/run_key.hpp"
 #include "verification/solvers/particles/state_file.hpp"
 #include "verification/solvers/snapshots.hpp"
-#include "verification/texts/result_text.hpp"
 
 namespace slosh {
 namespace {

@@ -11,21 +11,20 @@
 #include <vector>
 
 #include "reports/pages/write_report.hpp"
-#include "reports/summary/campaign_report.hpp"
 #include "reports/summary/headline.hpp"
 #include "reports/summary/recorded_campaigns.hpp"
+#include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
 #include "sph/threads.hpp"
 #include "verification/assessment/campaign_cost.hpp"
 #include "verification/campaign/known_drawings.hpp"
-#include "verification/cli/campaign/campaign_options.hpp"
 #include "verification/cli/campaign/earlier_verdicts.hpp"
-#include "verification/cli/campaign/printed_headline.hpp"
+#include "verification/cli/campaign/gate_files.hpp"
 #include "verification/cli/campaign/requested_campaign.hpp"
+#include "verification/cli/texts/campaign_text.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/legible_text.hpp"
 #include "verification/input/case_file_error.hpp"
-#include "verification/texts/campaign_text.hpp"
 
 namespace slosh {
 namespace {
@@ -185,19 +184,20 @@ void add_own_options(CLI::App& command, CampaignOptions& options) {
 }  // namespace
 
 void add_campaign_command(const CommandTree& tree) {
-  const auto [command, options] = add_command_on_campaign(
-      tree,
-      {"campaign",
-       "Runs a campaign's cases, compares, reports and gates",
-       {"./slosh campaign " + std::string(example_run),
-        "./slosh campaign verification --only rigid_rotation -o problems",
-        "./slosh campaign small_amplitude --dry-run",
-        "./slosh campaign --report-only " + std::string(example_run)}},
-      [tree](const CampaignOptions& given, const Installation&) {
-        if (given.all) return report_of_all(given, tree.installation, tree.stop);
-        tree.stop_on_signals();
-        return run_campaign(given, tree.installation, tree.stop);
-      });
+  const auto [command, options] =
+      add_command_on_campaign(tree,
+                              {"campaign",
+                               "Runs a campaign's cases, compares, reports and gates",
+                               {"./slosh campaign " + std::string(example_run),
+                                "./slosh campaign verification --only rigid_rotation -o problems",
+                                "./slosh campaign small_amplitude --dry-run",
+                                "./slosh campaign --report-only " + std::string(example_run)}},
+                              [tree](const CampaignOptions& given, const Installation&) {
+                                if (given.all)
+                                  return report_of_all(given, tree.installation, tree.stop);
+                                tree.stop_on_signals();
+                                return run_campaign(given, tree.installation, tree.stop);
+                              });
   add_start_options(command, options);
   add_own_options(command, options);
 }

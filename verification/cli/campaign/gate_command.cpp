@@ -13,11 +13,10 @@
 #include "verification/baseline/baseline_ledger.hpp"
 #include "verification/cli/campaign/earlier_verdicts.hpp"
 #include "verification/cli/campaign/gate_files.hpp"
-#include "verification/cli/campaign/printed_headline.hpp"
+#include "verification/cli/texts/campaign_text.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/input/case_file_error.hpp"
-#include "verification/sensitivity/selftest_record.hpp"
-#include "verification/texts/campaign_text.hpp"
+#include "verification/sensitivity/case_coverage.hpp"
 
 namespace slosh {
 namespace {
@@ -188,7 +187,7 @@ int selftest_campaign(const CampaignOptions& options, bool records,
 void add_gate_command(const CommandTree& tree) {
   struct SelftestOptions {
     bool asked = false;
-    bool record = false;  // write the findings beside the baselines (selftest_record.hpp)
+    bool record = false;  // write the findings beside the baselines (case_coverage.hpp)
   };
   const auto selftest = std::make_shared<SelftestOptions>();
   const auto [command, options] = add_command_on_campaign(

@@ -1,4 +1,4 @@
-// The records of the shipped campaigns' self-tests (selftest_record.hpp): each form of each
+// The records of the shipped campaigns' self-tests (case_coverage.hpp): each form of each
 // campaign has one, of the rows as they are, which shows that the rows of every case detect
 // together what every case must detect.
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/problems/problem_list.hpp"
-#include "verification/sensitivity/selftest_record.hpp"
+#include "verification/sensitivity/case_coverage.hpp"
 
 namespace slosh::selftest_records_test {
 namespace {

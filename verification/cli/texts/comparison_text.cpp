@@ -1,4 +1,4 @@
-#include "verification/texts/comparison_text.hpp"
+#include "verification/cli/texts/comparison_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "verification/texts/case_explanation.hpp"
+#include "verification/cli/texts/case_explanation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "verification/texts/case_explanation.hpp"
+#include "verification/cli/texts/case_explanation.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,10 +15,10 @@
 #include "verification/case/quantities.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
+#include "verification/cli/texts/result_text.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/runs/expected_cost.hpp"
 #include "verification/solvers/theory/natural_frequencies.hpp"
-#include "verification/texts/result_text.hpp"
 
 namespace slosh {
 namespace {
