@@ -67,7 +67,7 @@ reports::Table order_table(const CaseAssessment& assessment);
 // The pressure fields against interFoam's (field_difference.hpp).
 reports::Table field_table(const CaseAssessment& assessment);
 
-// ablation_table.cpp: needs a run that changes something and one that is compared with theory or a
+// The ablation. Needs a run that changes something and one that is compared with theory or a
 // record.
 reports::Table ablation_table(const CaseAssessment& assessment);
 

@@ -70,6 +70,9 @@ std::vector<BaselineChange> proposed_changes(const std::vector<RowMovement>& mov
 // -> regression".
 std::string movement_text(const RowMovement& movement);
 
+// A line for each row that has changed, which begins with "lost", "moved" or "new".
+std::string changed_lines(const std::vector<RowMovement>& movements);
+
 // "Rows since the baseline: 2 lost (1 of validation), 1 new, 3 changed." Returns "" where there is
 // nothing to tell.
 std::string changes_sentence(const std::vector<RowMovement>& movements);

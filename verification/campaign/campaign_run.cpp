@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "verification/campaign/campaign_plan.hpp"
-#include "verification/campaign/job_failure.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/engine/launcher.hpp"
 #include "verification/engine/progress_display.hpp"

@@ -26,7 +26,7 @@
 #include "verification/cli/limit_option.hpp"
 #include "verification/cli/stored_run.hpp"
 #include "verification/cli/texts/campaign_text.hpp"
-#include "verification/cli/texts/comparison_text.hpp"
+#include "verification/cli/texts/result_text.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/evidence/soundness.hpp"
 #include "verification/files/own_files.hpp"

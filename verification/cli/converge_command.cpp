@@ -14,7 +14,7 @@
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/spacing_study.hpp"
 #include "verification/cli/command_tree.hpp"
-#include "verification/cli/texts/comparison_text.hpp"
+#include "verification/cli/texts/result_text.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/runs/run_case.hpp"

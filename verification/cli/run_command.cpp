@@ -18,7 +18,6 @@
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
-#include "verification/cli/installation.hpp"
 #include "verification/cli/stored_run.hpp"
 #include "verification/cli/texts/result_text.hpp"
 #include "verification/engine/job_list.hpp"

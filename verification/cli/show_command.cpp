@@ -24,7 +24,6 @@
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
-#include "verification/cli/installation.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 

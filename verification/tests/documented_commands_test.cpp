@@ -100,7 +100,6 @@ const std::string particle_file =
 // from those before.
 const std::vector<std::string> lines{
     "list li2010* --json",
-    "list --names cases",
     "explain --keys",
     "explain ./small.toml",
     "explain --schema campaign",

@@ -404,8 +404,7 @@ TEST_F(Intruders, AreCheckedWithoutTheEstimatesOfTheirTheories) {
             "\"\nsolver = \"linear\"\nmodes = 500\nvalid_elevation_over_depth = 0.2\n";
   write("small.toml", many);
   EXPECT_EQ(quick({"explain", "./small.toml"}).status, 0);
-  write("small.toml",
-        with(small_case, "sample_interval_s = 0.01", "sample_interval_s = 0.0000008"));
+  write("small.toml", with(small_case, "sample_interval_s = 0.01", "sample_interval_s = 0.000004"));
   EXPECT_EQ(quick({"explain", "./small.toml"}).status, 0);
 }
 

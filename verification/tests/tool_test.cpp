@@ -116,9 +116,6 @@ TEST_F(Tool, EndsWithTwoAndAMessageWhereTheCommandLineIsWrong) {
            {"campaign verification --launcher slrum",
             "--launcher: slrum: expected an engine, one of ninja, slurm; nearest: slurm"},
            {"campaign smal_amplitude", "small_amplitude"},
-           {"list --names case",
-            "--names: case: expected a kind, one of campaigns, cases, runs, problems, tags; "
-            "nearest"},
            {"run ./small.toml", "run"},
            {"run li2010_smal_amplitude linear", "li2010_small_amplitude"},
            {"run li2010_small_amplitude liner", "run = liner: expected one of linear, "},

@@ -32,13 +32,7 @@ void print_changes(const GateFindings& findings, const fs::path& ledger) {
                     ledger.string()));
     return;
   }
-  for (const RowMovement& movement : findings.movements)
-    if (movement.has_changed())
-      print_lines(fmt::format("{:<14} {}: {}\n",
-                              movement.lost()   ? "lost"
-                              : movement.before ? "moved"
-                                                : "new",
-                              movement.row, movement_text(movement)));
+  print_lines(changed_lines(findings.movements));
 }
 
 bool loses_validation(const std::vector<RowMovement>& movements) {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "reports/wording/case_text.hpp"
+#include "reports/wording/shown_quantity.hpp"
 #include "verification/assessment/doubts/model_limits.hpp"
 #include "verification/case/changed_input.hpp"
 #include "verification/case/ensemble.hpp"
@@ -45,21 +46,13 @@ std::string entry(const std::string& label, const std::string& text) {
   return lines.replace(2, label.size(), label);
 }
 
-std::string place_text(const PressureGaugeDefinition& gauge) {
-  if (gauge.at)
-    return fmt::format("on the outline at x = {:g} m, z = {:g} m", gauge.at->x, gauge.at->z);
-  const bool is_side = gauge.wall == Wall::left || gauge.wall == Wall::right;
-  return fmt::format("on the {}{} at {:g} m", name_of(gauge.wall, wall_names),
-                     is_side ? " wall" : "", gauge.position);
-}
-
 std::string gauges_text(const CaseDefinition& definition) {
   std::vector<std::string> texts;
   for (const GaugeDefinition& gauge : definition.gauges)
     texts.push_back(fmt::format("elevation@{} {:g} m from the left wall", gauge.name, gauge.x));
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     texts.push_back(fmt::format(
-        "wall_pressure@{} {}{}", gauge.name, place_text(gauge),
+        "wall_pressure@{} {}{}", gauge.name, place_on_wall(gauge),
         gauge.filter_cutoff ? fmt::format(", also filtered at {:g} Hz", *gauge.filter_cutoff)
                             : ""));
   for (const ProbeDefinition& probe : definition.probes)
