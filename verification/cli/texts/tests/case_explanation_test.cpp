@@ -91,7 +91,8 @@ TEST(CaseExplanation, TellsTheShapeOfTheTankAndWhereItsSensorsSit) {
       {.name = "a", .wall = Wall::bottom, .position = 0, .at = Corner{0.75, 0.5}}};
   const std::string text = explanation(definition, {});
   EXPECT_TRUE(holds(text, "tank a polygon of 3 corners, 1 m long, 1 m high ")) << text;
-  EXPECT_TRUE(holds(text, "wall_pressure@a on the outline at x = 0.75 m, z = 0.5 m")) << text;
+  EXPECT_TRUE(holds(text, "on the outline 0.75 m from the left and 0.5 m above the bottom"))
+      << text;
   EXPECT_TRUE(holds(text, "for the first modes of the section, linear theory")) << text;
   definition.tank.diameter = 1;
   EXPECT_TRUE(holds(explanation(definition, {}),
