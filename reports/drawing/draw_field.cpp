@@ -9,7 +9,7 @@
 
 #include "reports/drawing/field_parts.hpp"
 #include "reports/drawing/figure_palette.hpp"
-#include "reports/drawing/run_gnuplot.hpp"
+#include "reports/drawing/gnuplot_script.hpp"
 #include "reports/model/report_files.hpp"
 #include "reports/model/report_model.hpp"
 

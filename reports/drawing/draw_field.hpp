@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reports/drawing/field_parts.hpp"
-#include "reports/drawing/run_gnuplot.hpp"
+#include "reports/drawing/gnuplot_script.hpp"
 #include "reports/model/report_model.hpp"
 
 namespace slosh::reports {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "reports/drawing/run_gnuplot.hpp"
+#include "reports/drawing/gnuplot_script.hpp"
 #include "reports/model/report_model.hpp"
 
 namespace slosh::reports {

@@ -11,7 +11,6 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/wording/case_text.hpp"
-#include "reports/wording/report_places.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/motion/motion_times.hpp"
 #include "verification/case/shape/sensor_place.hpp"

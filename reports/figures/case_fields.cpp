@@ -10,7 +10,7 @@
 #include "reports/drawing/field_parts.hpp"
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/wording/report_places.hpp"
+#include "reports/wording/case_text.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/case/motion.hpp"
 #include "verification/case/solver_kinds.hpp"

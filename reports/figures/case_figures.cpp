@@ -11,7 +11,7 @@
 
 #include "reports/drawing/figure_layout.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/wording/report_places.hpp"
+#include "reports/wording/case_text.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/case/quantities.hpp"

@@ -9,7 +9,7 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/wording/report_places.hpp"
+#include "reports/wording/case_text.hpp"
 #include "verification/assessment/across_runs/speed_ups.hpp"
 #include "verification/assessment/observed_order.hpp"
 #include "verification/assessment/work_points.hpp"

@@ -8,7 +8,7 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/wording/report_places.hpp"
+#include "reports/wording/case_text.hpp"
 #include "verification/assessment/across_runs/impact_samples.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"

@@ -13,7 +13,7 @@
 #include "reports/drawing/figure_layout.hpp"
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/wording/report_places.hpp"
+#include "reports/wording/case_text.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/papers/measured_values.hpp"

@@ -11,7 +11,7 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/figures/figure_runs.hpp"
-#include "reports/wording/report_places.hpp"
+#include "reports/wording/case_text.hpp"
 #include "reports/wording/shown_quantity.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/quantities.hpp"

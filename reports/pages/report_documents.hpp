@@ -22,7 +22,7 @@ struct Drawings {
 };
 
 // Maps every anchor of the report to the id of the page that it stands on. The report's own ids
-// must be unique (check_report.hpp).
+// must be unique (write_report.hpp).
 std::map<std::string, std::string> anchors_of(const Report& report);
 
 // The rows that a page shows of a table: all where they have anchors, else at most 100.

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <filesystem>
 
-#include "reports/drawing/run_gnuplot.hpp"
+#include "reports/drawing/gnuplot_script.hpp"
 #include "reports/model/report_model.hpp"
 
 namespace slosh::reports {
@@ -28,5 +28,12 @@ struct WriteOptions {
 // Until the new report is whole the earlier one is unchanged.
 void write_report(const Report& report, const std::filesystem::path& directory,
                   const WriteOptions& options = {});
+
+// Throws ReportError, which names the page, section, table or figure, for an id that is invalid or
+// used twice, a section on a page that does not exist, a page without a section, a broken link,
+// columns or samples of unequal number, a range that no axis or colour bar can show, a field
+// without panels, with more in a row than fit, or with sizes that are not positive, and
+// results_json that is not JSON.
+void check_report(const Report& report);
 
 }  // namespace slosh::reports

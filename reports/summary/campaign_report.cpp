@@ -1,5 +1,3 @@
-#include "reports/summary/campaign_report.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,7 +12,7 @@
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
 #include "reports/summary/shown_rows.hpp"
-#include "reports/wording/report_places.hpp"
+#include "reports/wording/case_text.hpp"
 #include "sph/threads.hpp"
 #include "verification/assessment/campaign_cost.hpp"
 #include "verification/assessment/predictions.hpp"

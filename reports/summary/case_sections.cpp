@@ -13,7 +13,6 @@
 #include "reports/summary/report_sections.hpp"
 #include "reports/tables/case_tables.hpp"
 #include "reports/wording/case_text.hpp"
-#include "reports/wording/report_places.hpp"
 #include "verification/assessment/across_runs/solution_distances.hpp"
 #include "verification/assessment/doubts/model_limits.hpp"
 #include "verification/assessment/observed_order.hpp"

@@ -10,7 +10,6 @@
 
 #include "reports/summary/shown_rows.hpp"
 #include "reports/wording/case_text.hpp"
-#include "reports/wording/report_places.hpp"
 #include "verification/assessment/across_runs/speed_ups.hpp"
 #include "verification/case/metric_table.hpp"
 #include "verification/case/solver_kinds.hpp"

@@ -20,7 +20,7 @@ struct HeadlineLine {
   std::string candidate, reference;  // "SPH at 5 mm", "linear theory"; the latter may be empty
   std::string amplitude = {}, lag = {}, rms = {};  // with their intervals; empty for none
   std::string decides;  // the row that is nearest to its limit or worst, and its result
-  std::string row_id;   // of that row (report_places.hpp)
+  std::string row_id;   // of that row (case_text.hpp)
   std::string section;  // of the case or the problem
 };
 

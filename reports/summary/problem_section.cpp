@@ -10,7 +10,6 @@
 #include "reports/summary/report_sections.hpp"
 #include "reports/tables/case_tables.hpp"
 #include "reports/wording/case_text.hpp"
-#include "reports/wording/report_places.hpp"
 #include "verification/assessment/observed_order.hpp"
 #include "verification/case/campaign_definition.hpp"
 #include "verification/problems/problem_list.hpp"

@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "reports/summary/campaign_report.hpp"
 #include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
 #include "verification/files/foreign/json_text.hpp"

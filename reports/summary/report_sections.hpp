@@ -1,4 +1,5 @@
-// The sections of a campaign's report, one function for each.
+// The report of a campaign with its assessed cases and problems, and its sections, one function for
+// each.
 #pragma once
 
 #include <string>
@@ -8,10 +9,20 @@
 #include "verification/assessment/case_assessment.hpp"
 #include "verification/assessment/predictions.hpp"
 #include "verification/assessment/problem_assessment.hpp"
+#include "verification/case/campaign_definition.hpp"
 #include "verification/sensitivity/case_coverage.hpp"
 #include "verification/sensitivity/gate_sensitivity.hpp"
 
 namespace slosh {
+
+// `command` is the command that repeats the campaign.
+reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
+                                const std::string& command,
+                                const std::vector<CaseAssessment>& cases,
+                                const std::vector<ProblemAssessment>& problems = {});
+
+// Of an exit status.
+reports::Outcome outcome_of(int status);
 
 // The spoilings that each row detects, and those that the rows of each case detect together.
 reports::Table sensitivity_table(const CaseAssessment& assessment,

@@ -144,6 +144,17 @@ Json uncertainty_entry(const ThreeWayOutcome& judged) {
             {"input", of.input.basis}}}};
 }
 
+// Adds to the entry what the rows of cases and of problems have in common behind their values.
+template <class Outcome>
+void add_terms(const Outcome& outcome, Json& entry) {
+  entry.update({{"tolerance_share", share_entry(error_over_tolerance(outcome))},
+                {"message", outcome.message},
+                {"reason", outcome.row.reason},
+                {"source", outcome.row.source},
+                {"file", outcome.row.where.file},
+                {"line", outcome.row.where.line}});
+}
+
 Json gate_entry(const GateOutcome& outcome) {
   const GateRow& row = outcome.row;
   Json entry{{"verdict", verdict_name(outcome.verdict)},
@@ -155,13 +166,8 @@ Json gate_entry(const GateOutcome& outcome) {
              {"metric", metric_name(row.metric)},
              {"unit", row.unit},
              {"value", outcome.value.value},
-             {"half_width_95", outcome.value.half_width},
-             {"tolerance_share", share_entry(error_over_tolerance(outcome))},
-             {"message", outcome.message},
-             {"reason", row.reason},
-             {"source", row.source},
-             {"file", row.where.file},
-             {"line", row.where.line}};
+             {"half_width_95", outcome.value.half_width}};
+  add_terms(outcome, entry);
   if (const auto& judged = outcome.judgement) entry["uncertainty_95"] = uncertainty_entry(*judged);
   if (row.limit) entry["limit"] = *row.limit;
   if (row.error) entry["error"] = *row.error;
@@ -190,13 +196,8 @@ Json gate_entry(const ProblemGateOutcome& outcome) {
              {"measure", row.measure},
              {"metric", metric_name(row.metric)},
              {"unit", row.unit},
-             {"value", outcome.value},
-             {"tolerance_share", share_entry(error_over_tolerance(outcome))},
-             {"message", outcome.message},
-             {"reason", row.reason},
-             {"source", row.source},
-             {"file", row.where.file},
-             {"line", row.where.line}};
+             {"value", outcome.value}};
+  add_terms(outcome, entry);
   if (row.limit) entry["limit"] = *row.limit;
   if (row.between) entry["between"] = {row.between->first, row.between->second};
   return entry;

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "reports/tables/case_tables.hpp"
-#include "reports/wording/report_places.hpp"
+#include "reports/wording/case_text.hpp"
 #include "verification/series/interval_text.hpp"
 
 namespace slosh {

@@ -25,7 +25,7 @@ struct ShownRow {
   double value = 0, half_width = 0;  // in the unit; NaN where there is none
   std::string unit;
   std::string message;  // of the gate
-  std::string row_id;   // report_places.hpp
+  std::string row_id;   // case_text.hpp
   std::optional<ErrorOverTolerance> share = {};
 
   // Whether the row was to be judged: it is selected, and its record is supplied.

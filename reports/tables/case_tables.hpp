@@ -41,7 +41,7 @@ std::string uncertainties_text(const ThreeWayOutcome& judged, const std::string&
 std::string remedy_text(const CaseDefinition& definition, const GateOutcome& outcome);
 
 // Those that do not pass or are in doubt, worst first, then those that pass, folded. Each row has
-// its anchor (report_places.hpp).
+// its anchor (case_text.hpp).
 std::vector<reports::Table> gate_tables(const CaseAssessment& assessment);
 
 // Each judged row on ensembles (ensemble_mean.hpp).
@@ -67,7 +67,7 @@ reports::Table order_table(const CaseAssessment& assessment);
 // The pressure fields against interFoam's (field_difference.hpp).
 reports::Table field_table(const CaseAssessment& assessment);
 
-// ablation_table.cpp: needs a run that changes something and one that is compared with theory or a
+// The ablation. Needs a run that changes something and one that is compared with theory or a
 // record.
 reports::Table ablation_table(const CaseAssessment& assessment);
 

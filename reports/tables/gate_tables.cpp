@@ -10,7 +10,6 @@
 
 #include "reports/tables/case_tables.hpp"
 #include "reports/wording/case_text.hpp"
-#include "reports/wording/report_places.hpp"
 #include "verification/assessment/error_over_tolerance.hpp"
 #include "verification/case/case_definition.hpp"
 #include "verification/case/ensemble.hpp"

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "reports/tables/case_tables.hpp"
-#include "reports/wording/report_places.hpp"
+#include "reports/wording/case_text.hpp"
 #include "verification/assessment/work_points.hpp"
 #include "verification/case/ensemble.hpp"
 #include "verification/case/solver_kinds.hpp"

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "reports/drawing/run_gnuplot.hpp"
+#include "reports/drawing/gnuplot_script.hpp"
 #include "reports/model/report_files.hpp"
 
 namespace slosh::reports {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "reports/wording/report_places.hpp"
+#include "reports/wording/case_text.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/series/low_pass_filter.hpp"
@@ -23,16 +23,6 @@ const Gauge& gauge_named(const std::vector<Gauge>& gauges, const std::string& na
                                   [&](const Gauge& gauge) { return gauge.name == name; });
   if (found == gauges.end()) throw std::invalid_argument("the case has no gauge " + name);
   return *found;
-}
-
-std::string wall_text(const PressureGaugeDefinition& gauge) {
-  if (gauge.at)
-    return fmt::format("on the outline {:.3g} m from the left and {:.3g} m above the bottom",
-                       gauge.at->x, gauge.at->z);
-  const bool is_level = gauge.wall == Wall::bottom || gauge.wall == Wall::roof;
-  return fmt::format("on the {} {:.3g} m {}",
-                     name_of(gauge.wall, wall_names) + std::string(is_level ? "" : " wall"),
-                     gauge.position, is_level ? "from the left wall" : "above the bottom");
 }
 
 // A tank of many metres has elevations in m, and loads and pressures in thousands.
@@ -56,6 +46,16 @@ void suit_the_size(const CaseDefinition& definition, ShownQuantity& shown) {
 
 }  // namespace
 
+std::string place_on_wall(const PressureGaugeDefinition& gauge) {
+  if (gauge.at)
+    return fmt::format("on the outline {:.3g} m from the left and {:.3g} m above the bottom",
+                       gauge.at->x, gauge.at->z);
+  const bool is_level = gauge.wall == Wall::bottom || gauge.wall == Wall::roof;
+  return fmt::format("on the {} {:.3g} m {}",
+                     name_of(gauge.wall, wall_names) + std::string(is_level ? "" : " wall"),
+                     gauge.position, is_level ? "from the left wall" : "above the bottom");
+}
+
 ShownQuantity shown_quantity(const CaseDefinition& definition, const std::string& quantity) {
   const Quantity* known = find_quantity(quantity);
   if (!known) throw std::invalid_argument("no figure shows " + quantity);
@@ -77,7 +77,7 @@ ShownQuantity shown_quantity(const CaseDefinition& definition, const std::string
       break;
     case MeasuredAt::pressure_gauge:
       sensor = &gauge_named(definition.pressure_gauges, gauge);
-      shown.title += " " + wall_text(*sensor);
+      shown.title += " " + place_on_wall(*sensor);
       if (sensor->filter_cutoff) shown.title += of_filtered ? ", filtered" : ", unfiltered";
       shown.what += sensor->width > 0
                         ? fmt::format(", the mean over a sensor of {:.3g} mm along the wall.",

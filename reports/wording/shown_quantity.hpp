@@ -30,4 +30,7 @@ std::string measured_how(const ShownQuantity& shown, const CaseDefinition& defin
 // Returns the quantity as a part of a figure's id.
 std::string id_of(const std::string& quantity);
 
+// Returns "on the right wall 0.2 m above the bottom", or the place on an outline.
+std::string place_on_wall(const PressureGaugeDefinition& gauge);
+
 }  // namespace slosh

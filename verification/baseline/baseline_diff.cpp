@@ -468,6 +468,18 @@ std::string movement_text(const RowMovement& movement) {
          (before->terms ? terms_text(*before->terms, *after->terms, movement.lacks_record()) : "");
 }
 
+std::string changed_lines(const std::vector<RowMovement>& movements) {
+  std::string lines;
+  for (const RowMovement& one : movements)
+    if (one.has_changed())
+      lines += fmt::format("{:<14} {}: {}\n",
+                           one.lost()   ? "lost"
+                           : one.before ? "moved"
+                                        : "new",
+                           one.row, movement_text(one));
+  return lines;
+}
+
 std::string changes_sentence(const std::vector<RowMovement>& movements) {
   int lost = 0, lost_of_validation = 0, added = 0, changed = 0, demoted = 0;
   for (const RowMovement& one : movements) {

@@ -1,6 +1,6 @@
 // The changes of a campaign's gate rows since their baseline: by how many uncertainties each metric
 // has moved, which rows were lost, are new or have another name, and which tolerances, intervals
-// and terms (baseline_change.hpp) are others. An interval is another where it is more than twice as
+// and terms (baseline_ledger.hpp) are others. An interval is another where it is more than twice as
 // wide or less than half as wide, and the change is more than a hundredth of the larger of metric
 // and tolerance. A metric has moved where its change exceeds both intervals together and the
 // round-off that differs between compilers and processors. Timings belong to one machine: a row on
@@ -14,7 +14,7 @@
 
 #include "verification/assessment/case_assessment.hpp"
 #include "verification/assessment/problem_assessment.hpp"
-#include "verification/baseline/baseline_change.hpp"
+#include "verification/baseline/baseline_ledger.hpp"
 
 namespace slosh {
 
@@ -69,6 +69,9 @@ std::vector<BaselineChange> proposed_changes(const std::vector<RowMovement>& mov
 // -> -2 % .. 2 %", a changed interval, "U: 49 % -> 0.01 %", and by changed terms, "kind: validation
 // -> regression".
 std::string movement_text(const RowMovement& movement);
+
+// A line for each row that has changed, which begins with "lost", "moved" or "new".
+std::string changed_lines(const std::vector<RowMovement>& movements);
 
 // "Rows since the baseline: 2 lost (1 of validation), 1 new, 3 changed." Returns "" where there is
 // nothing to tell.

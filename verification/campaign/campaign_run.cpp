@@ -12,10 +12,9 @@
 #include <utility>
 
 #include "verification/campaign/campaign_plan.hpp"
-#include "verification/campaign/job_failure.hpp"
 #include "verification/case/solver_kinds.hpp"
-#include "verification/display/progress_display.hpp"
 #include "verification/engine/launcher.hpp"
+#include "verification/engine/progress_display.hpp"
 #include "verification/engine/slurm_engine.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"

@@ -4,7 +4,7 @@
 
 #include <system_error>
 
-#include "reports/drawing/run_gnuplot.hpp"
+#include "reports/drawing/gnuplot_script.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/own_files.hpp"
 

@@ -247,7 +247,7 @@ std::string commented_case(const CaseDefinition& like, const std::string& name) 
   if (!rule.holds(name)) throw CaseFileError("name = \"" + name + "\": expected " + rule.expected);
   const Kept kept = kept_parts(like);
   std::string text = comment("A case like " + like.name +
-                             ": change its numbers, then try ./slosh check. A key that may stand "
+                             ": change its numbers, then try ./slosh explain. A key that may stand "
                              "here and does not is explained as \"Not here\".");
   bool parent_stays = true;
   const std::vector<TomlTable> groups = TomlTable(like.text, like.file).tables("run");

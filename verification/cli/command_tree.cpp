@@ -4,13 +4,50 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "sph/threads.hpp"
+#include "verification/files/shell_word.hpp"
 #include "verification/gate/gate.hpp"
+#include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 #include "verification/results/provenance.hpp"
 
 namespace slosh {
+namespace fs = std::filesystem;
+
+fs::path usual_store(const Installation& installation) {
+  const char* named = std::getenv(store_variable);
+  return named && *named ? whole(named) : installation.build / "store";
+}
+
+fs::path shown_page(const Installation& installation, const std::string& name) {
+  const fs::path directory = installation.build / "shown";
+  const fs::file_status status = fs::symlink_status(directory);
+  if (fs::exists(status) && !fs::is_directory(status))
+    throw CaseFileError(directory.string() + ": expected a directory, and there is " +
+                        (fs::is_symlink(status) ? "a link" : "a file") +
+                        "; remove it, or name another place with --output");
+  fs::create_directories(directory);
+  return directory / (name + ".html");
+}
+
+std::string name_or_path(const fs::path& file, const fs::path& shipped) {
+  if (fs::equivalent(fs::absolute(file).parent_path(), shipped)) return file.stem().string();
+  return shell_word(fs::absolute(file).lexically_normal().string());
+}
+
+fs::path whole(const fs::path& path) {
+  if (path.empty()) return path;
+  std::error_code circle;
+  const fs::path named = fs::absolute(path), real = fs::weakly_canonical(named, circle);
+  return circle ? named.lexically_normal() : real;
+}
+
+std::string experiments_option(const fs::path& experiments) {
+  return experiments.empty() ? "" : " --experiments " + shell_word(experiments.string());
+}
+
 namespace {
 
 std::vector<std::string> subcommand_names(const CLI::App& app) {
@@ -26,6 +63,13 @@ std::vector<std::string> option_names(const CLI::App& app) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   return names;
 }
+
+// Commands that others have taken in, and the command lines that do what they did.
+constexpr std::pair<const char*, const char*> earlier_commands[] = {
+    {"report", "campaign NAME --report-only"},
+    {"selftest", "gate NAME --selftest"},
+    {"problem", "run PROBLEM"},
+    {"check", "explain CASE"}};
 
 std::string not_known_text(const std::string& wrong, const std::vector<std::string>& known,
                            const char* what) {
@@ -60,17 +104,14 @@ CLI::Validator one_of(const std::string& expected, const std::vector<std::string
           fmt::format("{{{}}}", fmt::join(names, ","))};
 }
 
-CLI::Option* add_case_argument(CLI::App& command, std::string& name) {
-  return command.add_option("case", name, "A case of `slosh list`, or the path of a case file")
-      ->type_name(case_type);
+CLI::Option* add_case_argument(CLI::App& command, std::string& name, const char* what) {
+  return add_option(command, "case", name, case_type, what);
 }
 
 void add_experiments_option(CLI::App& command, std::filesystem::path& experiments) {
-  command
-      .add_option("--experiments", experiments,
-                  "Directory of your experimental records; without it the runs that need one are "
-                  "reported as not supplied")
-      ->type_name(directory_type)
+  add_option(command, "--experiments", experiments, directory_type,
+             "Directory of your experimental records; without it the runs that need one are "
+             "reported as not supplied")
       ->envname("SLOSH_EXPERIMENTS")
       ->check(unnamed(CLI::ExistingDirectory));
 }
@@ -78,25 +119,14 @@ void add_experiments_option(CLI::App& command, std::filesystem::path& experiment
 void add_shared_store_option(CLI::App& command, std::filesystem::path& store,
                              const Installation& installation) {
   store = usual_store(installation);
-  command
-      .add_option("--store", store,
-                  "Directory of the results, which campaigns share (default: build/store)")
-      ->type_name(directory_type)
+  add_option(command, "--store", store, directory_type,
+             "Directory of the results, which campaigns share (default: build/store)")
       ->envname(store_variable);
-}
-
-CLI::Option* add_result_store_option(CLI::App& command, std::filesystem::path& store) {
-  return command
-      .add_option(
-          "--store", store,
-          "Directory of results: keep the result there under its key, unless it exists already")
-      ->type_name(directory_type);
 }
 
 void add_jobs_option(CLI::App& command, int& at_once, const char* what) {
   at_once = sph::usable_cores();
-  command.add_option("-j,--jobs", at_once, fmt::format("{} (default: one a core)", what))
-      ->type_name("N")
+  add_option(command, "-j,--jobs", at_once, "N", fmt::format("{} (default: one a core)", what))
       ->check(keeps(at_least(1)));
 }
 
@@ -140,10 +170,8 @@ void add_all_commands(const CommandTree& tree) {
   tree.app.set_version_flag("--version", "Slosh " + provenance("").at("slosh_version"));
   add_campaign_command(tree);
   add_gate_command(tree);
-  add_selftest_command(tree);
   add_baseline_commands(tree);
   add_run_command(tree);
-  add_problem_command(tree);
   add_job_command(tree);
   add_import_command(tree);
   add_compare_command(tree);
@@ -152,7 +180,6 @@ void add_all_commands(const CommandTree& tree) {
   add_store_command(tree);
   add_new_command(tree);
   add_case_command(tree);
-  add_check_command(tree);
   add_list_command(tree);
   add_explain_command(tree);
   add_converge_command(tree);
@@ -161,7 +188,7 @@ void add_all_commands(const CommandTree& tree) {
                   "\nExamples:\n"
                   "  ./slosh list 'li2010_*'\n"
                   "  ./slosh run li2010_small_amplitude linear --output linear.h5\n"
-                  "  ./slosh problem rigid_rotation --quick --output rigid_rotation.json");
+                  "  ./slosh run rigid_rotation --quick --output rigid_rotation.json");
 }
 
 std::string suggestion(const CLI::App& app, const std::vector<std::string>& words) {
@@ -173,6 +200,9 @@ std::string suggestion(const CLI::App& app, const std::vector<std::string>& word
     };
     if (name.starts_with("--") && !is_in(options)) return not_known_text(name, options, "option");
     if (name.starts_with("-") || commands.empty()) continue;
+    for (const auto& [old, form] : earlier_commands)
+      if (name == old && !is_in(commands))
+        return fmt::format("command '{}' is not known; use `./slosh {}`", old, form);
     if (!is_in(commands)) return not_known_text(name, commands, "command");
     return suggestion(*app.get_subcommand(name),
                       {words.begin() + static_cast<long>(i) + 1, words.end()});

@@ -25,6 +25,8 @@
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/limit_option.hpp"
 #include "verification/cli/stored_run.hpp"
+#include "verification/cli/texts/campaign_text.hpp"
+#include "verification/cli/texts/result_text.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/evidence/soundness.hpp"
 #include "verification/files/own_files.hpp"
@@ -37,8 +39,6 @@
 #include "verification/results/result_file.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/solvers/external_facts.hpp"
-#include "verification/texts/campaign_text.hpp"
-#include "verification/texts/comparison_text.hpp"
 
 namespace slosh {
 namespace {
@@ -318,23 +318,28 @@ int compare_results(const CompareOptions& options, const Installation& installat
   return status;
 }
 
-void add_compare_options(CLI::App& command, CompareOptions& options) {
-  command
-      .add_option("candidate", options.candidate,
-                  "A result file, or with --case a table with the columns t and elevation@GAUGE, "
-                  "force_x, ..., or t and one more")
-      ->type_name(file_type)
+}  // namespace
+
+void add_compare_command(const CommandTree& tree) {
+  const auto [command, options] = add_command_with<CompareOptions>(
+      tree,
+      {"compare",
+       "Compares two result files on a quantity, and judges by limits",
+       {"./slosh run li2010_small_amplitude recommended_25mm",
+        "./slosh run li2010_small_amplitude linear",
+        "./slosh compare recommended_25mm.h5 linear.h5 --case li2010_small_amplitude "
+        "--gauge right --limit amplitude_error=0.05"}},
+      compare_results);
+  add_option(command, "candidate", options.candidate, file_type,
+             "A result file, or with --case a table with the columns t and elevation@GAUGE, "
+             "force_x, ..., or t and one more")
       ->required();
-  command
-      .add_option("reference", options.reference,
-                  "A result file (default: the first theory of --case, computed)")
-      ->type_name(file_type);
+  add_option(command, "reference", options.reference, file_type,
+             "A result file (default: the first theory of --case, computed)");
   CLI::Option* gauge = command.add_option("--gauge", options.gauge, "Compares elevation@GAUGE");
   command.add_option("--quantity", options.quantity, "Compares this series")->excludes(gauge);
-  CLI::Option* of_case = command
-                             .add_option("--case", options.case_name,
-                                         "A case whose window, forcing and natural modes are taken")
-                             ->type_name(case_type);
+  CLI::Option* of_case = add_option(command, "--case", options.case_name, case_type,
+                                    "A case whose window, forcing and natural modes are taken");
   command
       .add_option("--frequency", options.frequencies,
                   "Frequency of a mode to fit [Hz]; may be given again")
@@ -349,28 +354,8 @@ void add_compare_options(CLI::App& command, CompareOptions& options) {
       .add_option("--limit", options.limits,
                   "METRIC=VALUE or MODE:METRIC=VALUE, judged as a gate row is; may be given again")
       ->allow_extra_args(false);
-  command
-      .add_option("--json", options.json,
-                  "Also write the comparison and the verdicts to this file, as JSON")
-      ->type_name(file_type);
-}
-
-}  // namespace
-
-void add_compare_command(const CommandTree& tree) {
-  const auto compared = std::make_shared<CompareOptions>();
-  add_compare_options(
-      add_command(tree,
-                  {"compare",
-                   "Compares two result files on a quantity, and judges by limits",
-                   {"./slosh run li2010_small_amplitude recommended_25mm",
-                    "./slosh run li2010_small_amplitude linear",
-                    "./slosh compare recommended_25mm.h5 linear.h5 --case li2010_small_amplitude "
-                    "--gauge right --limit amplitude_error=0.05"}},
-                  [compared, &installation = tree.installation] {
-                    return compare_results(*compared, installation);
-                  }),
-      *compared);
+  add_option(command, "--json", options.json, file_type,
+             "Also write the comparison and the verdicts to this file, as JSON");
 }
 
 }  // namespace slosh

@@ -14,11 +14,11 @@
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/spacing_study.hpp"
 #include "verification/cli/command_tree.hpp"
+#include "verification/cli/texts/result_text.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
-#include "verification/texts/comparison_text.hpp"
 
 namespace slosh {
 namespace {
@@ -127,49 +127,38 @@ int converge(const ConvergeOptions& options, const CommandTree& tree) {
 }  // namespace
 
 void add_converge_command(const CommandTree& tree) {
-  auto options = std::make_shared<ConvergeOptions>();
   const std::string example =
       "./slosh converge li2010_small_amplitude --family recommended --spacings 0.05,0.035,0.025 "
       "-o orders";
-  CLI::App& command = add_command(
+  const auto [command, options] = add_command_with<ConvergeOptions>(
       tree,
       {"converge",
        "Runs an SPH scheme, or your program, at several spacings and tells the order of its errors",
        {example, example + " --json"}},
-      [options, tree] { return converge(*options, tree); });
-  add_case_argument(command, options->case_name)->required();
+      [tree](const ConvergeOptions& given, const Installation&) { return converge(given, tree); });
+  add_case_argument(command, options.case_name)->required();
   CLI::Option* candidate =
-      command
-          .add_option("--candidate", options->study.candidate,
-                      "A run of the case, all of whose settings but the spacing are kept")
-          ->type_name(run_type);
-  command
-      .add_option("--family", options->study.family,
-                  "Or a scheme as it is, or the method of an external run of the case")
-      ->type_name("NAME")
+      add_option(command, "--candidate", options.study.candidate, run_type,
+                 "A run of the case, all of whose settings but the spacing are kept");
+  add_option(command, "--family", options.study.family, "NAME",
+             "Or a scheme as it is, or the method of an external run of the case")
       ->excludes(candidate);
-  command.add_option("--spacings", options->study.spacings, "Three or more particle spacings [m]")
-      ->type_name("M,M,M")
+  add_option(command, "--spacings", options.study.spacings, "M,M,M",
+             "Three or more particle spacings [m]")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->required();
-  command
-      .add_option("--reference", options->study.reference,
-                  "The run of the case to compare with (default: its first theory or record)")
-      ->type_name(run_type);
-  command
-      .add_option("--quantity", options->quantity,
-                  "What is compared (default: what the case is about)")
-      ->type_name("QUANTITY");
-  command
-      .add_option("-o,--output", options->output,
-                  "Directory of the case file that is made and its results (default: "
-                  "build/converge/CASE-SCHEME)")
-      ->type_name(directory_type);
-  command.add_flag("--json", options->as_json, "As JSON");
-  add_jobs_option(command, options->at_once, "Runs side by side");
-  add_experiments_option(command, options->experiments);
-  add_shared_store_option(command, options->store, tree.installation);
+  add_option(command, "--reference", options.study.reference, run_type,
+             "The run of the case to compare with (default: its first theory or record)");
+  add_option(command, "--quantity", options.quantity, "QUANTITY",
+             "What is compared (default: what the case is about)");
+  add_option(command, "-o,--output", options.output, directory_type,
+             "Directory of the case file that is made and its results (default: "
+             "build/converge/CASE-SCHEME)");
+  command.add_flag("--json", options.as_json, "As JSON");
+  add_jobs_option(command, options.at_once, "Runs side by side");
+  add_experiments_option(command, options.experiments);
+  add_shared_store_option(command, options.store, tree.installation);
 }
 
 }  // namespace slosh

@@ -11,7 +11,8 @@
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/stored_run.hpp"
-#include "verification/display/progress_display.hpp"
+#include "verification/cli/texts/result_text.hpp"
+#include "verification/engine/progress_display.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/gate/gate.hpp"
@@ -19,7 +20,6 @@
 #include "verification/runs/expected_cost.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
-#include "verification/texts/result_text.hpp"
 
 namespace slosh {
 namespace {
@@ -116,32 +116,26 @@ int export_theories(const ExportOptions& options, const Installation& installati
 }  // namespace
 
 void add_export_command(const CommandTree& tree) {
-  auto options = std::make_shared<ExportOptions>();
-  CLI::App& command = add_command(
+  const auto [command, options] = add_command_with<ExportOptions>(
       tree,
       {"export",
        "The series of a result file, or the theories of a case, as a table of CSV",
        {"./slosh run li2010_small_amplitude linear", "./slosh export linear.h5 -o linear.csv",
         "./slosh export standing_wave_re50 -o truth.csv",
         "./slosh export standing_wave_re50 -o truth.h5"}},
-      [options, &installation = tree.installation] {
-        return is_case(options->source) ? export_theories(*options, installation)
-                                        : export_result(*options);
+      [](const ExportOptions& given, const Installation& installation) {
+        return is_case(given.source) ? export_theories(given, installation) : export_result(given);
       });
-  command
-      .add_option("source", options->source,
-                  "A result file; or a case of `slosh list` or the path of a case file, whose "
-                  "theories are computed, each with its range and its uncertainty")
-      ->type_name(file_type)
+  add_option(command, "source", options.source, file_type,
+             "A result file; or a case of `slosh list` or the path of a case file, whose "
+             "theories are computed, each with its range and its uncertainty")
       ->required();
-  command.add_flag("--csv", options->csv, "As comma-separated values, whatever the file's name");
-  command
-      .add_option("-o,--output", options->output,
-                  "The table, .csv (default of a result, with --csv: standard output), with "
-                  "remarks on theories in lines that begin with a #; theories also as a result "
-                  "file, .h5, with the remarks in its provenance")
-      ->type_name(file_type);
-  add_shared_store_option(command, options->store, tree.installation);
+  command.add_flag("--csv", options.csv, "As comma-separated values, whatever the file's name");
+  add_option(command, "-o,--output", options.output, file_type,
+             "The table, .csv (default of a result, with --csv: standard output), with "
+             "remarks on theories in lines that begin with a #; theories also as a result "
+             "file, .h5, with the remarks in its provenance");
+  add_shared_store_option(command, options.store, tree.installation);
 }
 
 }  // namespace slosh

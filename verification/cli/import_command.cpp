@@ -247,12 +247,9 @@ std::string formats_text() {
 }
 
 void add_import_options(CLI::App& command, ImportOptions& options) {
-  command
-      .add_option(
-          "file", options.files,
-          "A file that another program wrote, or files each of which goes on from the last; "
-          "a directory with the time folders of OpenFOAM")
-      ->type_name(file_type)
+  add_option(command, "file", options.files, file_type,
+             "A file that another program wrote, or files each of which goes on from the last; "
+             "a directory with the time folders of OpenFOAM")
       ->required();
   std::vector<std::string> formats = format_names();
   formats.push_back(particles);
@@ -284,14 +281,12 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
       ->excludes(offset);
   command.add_flag("--whole-tank", options.whole_tank,
                    "A gauge of forces of DualSPHysics is on the whole tank and not on one wall");
-  command.add_option("-o,--output", options.output, "Result file")
-      ->type_name(file_type)
-      ->required();
+  add_option(command, "-o,--output", options.output, file_type, "Result file")->required();
 }
 
 void add_particle_options(CLI::App& command, ImportOptions& options) {
-  command.add_option("--case", options.case_name, "Of particles: the case of tank and gauges")
-      ->type_name(case_type);
+  add_option(command, "--case", options.case_name, case_type,
+             "Of particles: the case of tank and gauges");
   command
       .add_option("--spacing", options.spacing, "The spacing of the particles at the start, in m")
       ->check(keeps(positive("m")));
@@ -312,8 +307,7 @@ void add_particle_options(CLI::App& command, ImportOptions& options) {
 }  // namespace
 
 void add_import_command(const CommandTree& tree) {
-  const auto imported = std::make_shared<ImportOptions>();
-  CLI::App& command = add_command(
+  const auto [command, imported] = add_command_with<ImportOptions>(
       tree,
       {"import",
        "Writes a result file with series from another program, or of the surface of its particles",
@@ -323,12 +317,12 @@ void add_import_command(const CommandTree& tree) {
         "printf 'time,x,z\\n0,0.5,0.1\\n0,0.6,0.1\\n' > particles.csv",
         "./slosh import particles.csv --format particles --case li2010_small_amplitude "
         "--spacing 0.1 -o surface.h5"}},
-      [imported, &app = tree.app, &installation = tree.installation] {
-        refuse_other_options(*imported, *app.get_subcommand("import"));
-        return import_files(*imported, installation);
+      [&app = tree.app](const ImportOptions& given, const Installation& installation) {
+        refuse_other_options(given, *app.get_subcommand("import"));
+        return import_files(given, installation);
       });
-  add_import_options(command, *imported);
-  add_particle_options(command, *imported);
+  add_import_options(command, imported);
+  add_particle_options(command, imported);
   command.footer(formats_text() + "\n" + command.get_footer());
 }
 

@@ -1,5 +1,5 @@
-// The subcommand list: lists the campaigns, the cases with their runs, and the problems, as text,
-// as JSON or as bare names.
+// The subcommand list: lists the campaigns, the cases with their runs, and the problems, as text or
+// as JSON.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,6 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "verification/campaign/run_selection.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -28,7 +27,6 @@ using nlohmann::ordered_json;
 struct ListOptions {
   RunSelection selection;
   bool as_json = false;
-  std::string names;  // the kind whose bare names are printed; empty: text or JSON
 };
 
 struct ListedCase {
@@ -119,57 +117,28 @@ void print_json(const Listed& listed) {
   std::cout << document.dump(2) << "\n";
 }
 
-std::vector<std::string> names_in(const Listed& listed, const std::string& kind) {
-  std::set<std::string> names;
-  if (kind == "campaigns")
-    for (const CampaignDefinition& one : listed.campaigns) names.insert(one.name);
-  if (kind == "problems")
-    for (const Problem& one : listed.problems) names.insert(one.name);
-  for (const auto& [definition, runs] : listed.cases) {
-    if (kind == "cases") names.insert(definition.name);
-    if (kind == "tags") names.insert(definition.tags.begin(), definition.tags.end());
-    if (kind == "runs")
-      for (const RunDefinition& run : runs) names.insert(definition.name + "/" + run.name);
-  }
-  return {names.begin(), names.end()};
-}
-
 int list(const ListOptions& options, const Installation& installation) {
   const Listed listed = selected(options.selection, installation);
-  if (!options.names.empty()) {
-    for (const std::string& name : names_in(listed, options.names)) std::cout << name << "\n";
-  } else if (options.as_json) {
-    print_json(listed);
-  } else {
-    print_text(listed);
-  }
+  (options.as_json ? print_json : print_text)(listed);
   return exit_pass;
 }
 
 }  // namespace
 
 void add_list_command(const CommandTree& tree) {
-  auto options = std::make_shared<ListOptions>();
-  CLI::App& command = add_command(
+  const auto [command, options] = add_command_with<ListOptions>(
       tree,
       {"list",
        "Lists campaigns, cases and their runs, and problems",
        {"./slosh list", "./slosh list 'li2010_*/recommended_*' rigid_rotation",
-        "./slosh list --tag small_amplitude --json", "./slosh list 'extreme_*' --names runs"}},
-      [options, &installation = tree.installation] { return list(*options, installation); });
-  command
-      .add_option("pattern", options->selection.only,
-                  "Only names, or runs as CASE/RUN, that one of these patterns matches")
-      ->type_name(pattern_type);
-  command
-      .add_option("--tag", options->selection.tags, "Only cases with this tag; may be given again")
-      ->type_name(tag_type)
+        "./slosh list --tag small_amplitude --json"}},
+      list);
+  add_option(command, "pattern", options.selection.only, pattern_type,
+             "Only names, or runs as CASE/RUN, that one of these patterns matches");
+  add_option(command, "--tag", options.selection.tags, tag_type,
+             "Only cases with this tag; may be given again")
       ->allow_extra_args(false);
-  CLI::Option* json = command.add_flag("--json", options->as_json, "As JSON");
-  command.add_option("--names", options->names, "Bare names of one kind, one a line")
-      ->type_name("KIND")
-      ->check(one_of("a kind", {"campaigns", "cases", "runs", "problems", "tags"}))
-      ->excludes(json);
+  command.add_flag("--json", options.as_json, "As JSON");
 }
 
 }  // namespace slosh

@@ -1,5 +1,5 @@
-// The subcommand run, which executes one run of a case in this process, and the hidden subcommand
-// job, by which the engine of a campaign starts its jobs.
+// The subcommand run, which executes one run of a case or solves one verification problem in this
+// process, and the hidden subcommand job, by which the engine of a campaign starts its jobs.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -13,27 +13,28 @@
 #include <utility>
 
 #include "verification/assessment/doubts/motion_noise.hpp"
+#include "verification/assessment/problem_assessment.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
-#include "verification/cli/installation.hpp"
 #include "verification/cli/stored_run.hpp"
-#include "verification/display/progress_display.hpp"
-#include "verification/engine/run_job.hpp"
+#include "verification/cli/texts/result_text.hpp"
+#include "verification/engine/job_list.hpp"
+#include "verification/engine/progress_display.hpp"
 #include "verification/files/file_lock.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/problems/problem_list.hpp"
 #include "verification/results/progress_file.hpp"
+#include "verification/results/provenance.hpp"
 #include "verification/results/result_seals.hpp"
 #include "verification/runs/expected_cost.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/runs/run_key.hpp"
 #include "verification/solvers/particles/state_file.hpp"
 #include "verification/solvers/snapshots.hpp"
-#include "verification/texts/result_text.hpp"
 
 namespace slosh {
 namespace {
@@ -41,7 +42,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RunOptions {
-  std::string case_name, run;
+  std::string case_name, run;  // no run: the name is that of a problem
+  bool quick = false;          // of a problem
   std::filesystem::path output, progress_file;
   std::filesystem::path experiments;  // empty: none is named
   std::filesystem::path campaign;     // name or path: its sweeps add runs; may be empty
@@ -183,7 +185,77 @@ std::optional<FileLock> lock_work_directory(const RunDefinition& run, const RunS
                                  telling_once("works in " + settings.work_directory.string()));
 }
 
+// Throws SolverError if the solver fails.
+ProblemOutcome outcome_of(const Problem& problem, bool quick) try {
+  return problem.run(quick);
+} catch (const std::runtime_error& error) {
+  throw SolverError(error.what());
+}
+
+ProblemResult solved(const Problem& problem, bool quick, const std::string& key) {
+  const CostMeter meter;
+  ProblemResult result;
+  result.problem = problem.name;
+  result.quick = quick;
+  result.key = key;
+  result.provenance =
+      provenance(fmt::format("./slosh run {}{}", problem.name, quick ? " --quick" : ""));
+  result.outcome = outcome_of(problem, quick);
+  result.cost = meter.cost();
+  return result;
+}
+
+void print(const ProblemOutcome& outcome) {
+  for (const MeasuredErrors& measure : outcome.measures) {
+    std::cout << measure.name << ":";
+    for (const ErrorAtStep& one : measure.errors) std::cout << fmt::format(" {:.3g}", one.error);
+    if (const auto order = order_of(measure.errors))
+      std::cout << fmt::format(", order {:.2f}", *order);
+    std::cout << "\n";
+  }
+}
+
+int run_problem(const Problem& problem, const RunOptions& options,
+                const Installation& installation) {
+  const std::string key = problem_key(problem, options.quick, installation.builds);
+  const auto compute = [&] {
+    ProblemResult result = solved(problem, options.quick, key);
+    print(result.outcome);
+    return result;
+  };
+  if (!options.store.empty()) {
+    keep_problem(ResultStore(whole(options.store)), key, compute);
+    return exit_pass;
+  }
+  const fs::path file = options.output.empty() ? fs::path(problem.name + ".json") : options.output;
+  const OpenOutputs output(file, "run");
+  const ProblemResult result = compute();
+  output.make_room();
+  write_problem_result(result, file);
+  std::cout << "result: " << file.string() << "\n";
+  return exit_pass;
+}
+
+// Returns the problem that takes the place of a case and its run; nullptr where one is missing.
+const Problem* named_problem(const RunOptions& options, const Installation& installation) {
+  if (!options.run.empty()) return nullptr;
+  std::string no_problem;
+  try {
+    return &find_problem(options.case_name);
+  } catch (const std::invalid_argument& error) {
+    no_problem = error.what();
+  }
+  try {
+    find_case(options.case_name, installation.cases);
+  } catch (const CaseFileError& no_case) {
+    throw CaseFileError(fmt::format("{}; or {}", no_case.what(), no_problem));
+  }
+  return nullptr;
+}
+
 int run_one(const RunOptions& options, const Installation& installation) {
+  if (const Problem* problem = named_problem(options, installation))
+    return run_problem(*problem, options, installation);
   const fs::path experiments = whole(options.experiments);
   CaseDefinition definition =
       read_case(find_case(options.case_name, installation.cases), experiments);
@@ -240,70 +312,63 @@ int run_one(const RunOptions& options, const Installation& installation) {
 }
 
 void add_state_options(CLI::App& command, RunOptions& options) {
-  command
-      .add_option("--snapshots", options.snapshot_interval,
-                  "Interval of particle snapshots for ParaView [s], of an SPH run: a multiple of "
-                  "the case's sample_interval_s")
-      ->type_name("SECONDS")
+  add_option(command, "--snapshots", options.snapshot_interval, "SECONDS",
+             "Interval of particle snapshots for ParaView [s], of an SPH run: a multiple of "
+             "the case's sample_interval_s")
       ->check(keeps(positive("s")));
-  command
-      .add_option("--states", options.state_interval,
-                  "Interval at which the state of an SPH run is saved beside its result [s]: a "
-                  "multiple of the case's sample_interval_s")
-      ->type_name("SECONDS")
+  add_option(command, "--states", options.state_interval, "SECONDS",
+             "Interval at which the state of an SPH run is saved beside its result [s]: a "
+             "multiple of the case's sample_interval_s")
       ->check(keeps(positive("s")));
-  command
-      .add_option(
-          "--resume", options.resume,
-          "A saved state from which the run continues, bit for bit (with the same --states)")
-      ->type_name(file_type)
+  add_option(command, "--resume", options.resume, file_type,
+             "A saved state from which the run continues, bit for bit (with the same --states)")
       ->check(unnamed(CLI::ExistingFile));
 }
 
 }  // namespace
 
 void add_run_command(const CommandTree& tree) {
-  auto options = std::make_shared<RunOptions>();
-  CLI::App& command = add_command(
+  const auto [command, options] = add_command_with<RunOptions>(
       tree,
       {"run",
-       "Executes one run of a case and writes its result file",
+       "Executes one run of a case, or solves one verification problem, and writes its result file",
        {"./slosh run li2010_small_amplitude recommended_25mm",
-        "./slosh run li2010_small_amplitude recommended_25mm --output shown.h5 --snapshots 5"}},
-      [options, &installation = tree.installation] { return run_one(*options, installation); });
-  add_case_argument(command, options->case_name)->required();
-  command.add_option("run", options->run, "The run's name in the case")
-      ->type_name(run_type)
+        "./slosh run li2010_small_amplitude recommended_25mm --output shown.h5 --snapshots 5",
+        "./slosh run rigid_rotation --quick"}},
+      run_one);
+  add_case_argument(command, options.case_name,
+                    "A case or problem of `slosh list`, or the path of a case file")
       ->required();
-  command.add_option("-o,--output", options->output, "Result file (default: RUN.h5)")
-      ->type_name(file_type);
-  add_state_options(command, *options);
-  command
-      .add_option("--time-limit", options->time_limit,
-                  "Wall time after which interFoam is stopped [s]")
-      ->type_name("SECONDS")
+  CLI::Option* run = add_option(command, "run", options.run, run_type,
+                                "The run's name in the case; a problem has none");
+  command.add_flag("--quick", options.quick, "A problem without the finest resolutions")
+      ->excludes(run);
+  add_option(command, "-o,--output", options.output, file_type,
+             "Result file (default: RUN.h5 or PROBLEM.json)");
+  add_state_options(command, options);
+  add_option(command, "--time-limit", options.time_limit, "SECONDS",
+             "Wall time after which interFoam is stopped [s]")
       ->check(keeps(positive("s")));
-  add_experiments_option(command, options->experiments);
+  add_experiments_option(command, options.experiments);
+  add_option(command, "--progress-file", options.progress_file, file_type,
+             "The file to which the run writes its progress");
+  add_option(command, "--campaign", options.campaign, campaign_type,
+             "A campaign, by name or path, whose sweeps add runs to the case");
+  CLI::Option* store = add_option(
+      command, "--store", options.store, directory_type,
+      "Directory of results: keep the result there under its key, unless it exists already");
   command
-      .add_option("--progress-file", options->progress_file,
-                  "The file to which the run writes its progress")
-      ->type_name(file_type);
-  command
-      .add_option("--campaign", options->campaign,
-                  "A campaign, by name or path, whose sweeps add runs to the case")
-      ->type_name(campaign_type);
-  CLI::Option* store = add_result_store_option(command, options->store);
-  command
-      .add_flag("--timing", options->timing,
+      .add_flag("--timing", options.timing,
                 "Repeat the run of the store and add the cost to its timings")
       ->needs(store);
-  command
-      .add_option("--longest", options->longest,
-                  "Skip a run that took more processor time [s] (default: none)")
-      ->type_name("SECONDS")
+  add_option(command, "--longest", options.longest, "SECONDS",
+             "Skip a run that took more processor time [s] (default: none)")
       ->needs("--timing");
   for (const char* other : {"--output", "--snapshots", "--states", "--resume", "--time-limit"})
     store->excludes(command.get_option(other));
+  for (const char* other : {"--snapshots", "--states", "--resume", "--time-limit",
+                            "--progress-file", "--campaign", "--timing"})
+    command.get_option(other)->needs(run);
 }
 
 // The engine of a campaign calls this command; it is hidden from users.

@@ -24,7 +24,6 @@
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/cli/command_tree.hpp"
-#include "verification/cli/installation.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 
@@ -163,28 +162,25 @@ int show_case(const ShowOptions& options, const Installation& installation) {
 }  // namespace
 
 void add_show_command(const CommandTree& tree) {
-  auto options = std::make_shared<ShowOptions>();
-  CLI::App& command = add_command(
+  const auto [command, options] = add_command_with<ShowOptions>(
       tree,
       {"show",
        "A picture of a case's histories, of the results that there are",
        {"./slosh run li2010_small_amplitude linear",
         "./slosh show li2010_small_amplitude -o histories.png"}},
-      [options, &installation = tree.installation] { return show_case(*options, installation); });
-  add_case_argument(command, options->case_name)->required();
+      show_case);
+  add_case_argument(command, options.case_name)->required();
   CLI::Option* output =
-      command
-          .add_option("-o,--output", options->output,
-                      "The picture, .png or .svg, or a page of all, .html (default: such a page in "
-                      "build/shown, which $BROWSER or xdg-open then shows)")
-          ->type_name(file_type);
+      add_option(command, "-o,--output", options.output, file_type,
+                 "The picture, .png or .svg, or a page of all, .html (default: such a page in "
+                 "build/shown, which $BROWSER or xdg-open then shows)");
   command
-      .add_option("--quantity", options->quantity,
+      .add_option("--quantity", options.quantity,
                   "What the picture is of, as elevation@right (default: the first that the case "
                   "compares)")
       ->needs(output);
-  add_experiments_option(command, options->experiments);
-  add_shared_store_option(command, options->store, tree.installation);
+  add_experiments_option(command, options.experiments);
+  add_shared_store_option(command, options.store, tree.installation);
 }
 
 }  // namespace slosh

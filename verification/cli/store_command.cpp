@@ -145,21 +145,18 @@ int tell_of_store(const StoreOptions& options, const Installation& installation)
 }  // namespace
 
 void add_store_command(const CommandTree& tree) {
-  auto options = std::make_shared<StoreOptions>();
-  CLI::App& command =
-      add_command(tree,
-                  {"store",
-                   "Prints the size of the kept results, and which of them earlier builds left",
-                   {"./slosh store", "./slosh store --remove"}},
-                  [options, &installation = tree.installation] {
-                    return tell_of_store(*options, installation);
-                  });
-  add_shared_store_option(command, options->store, tree.installation);
+  const auto [command, options] = add_command_with<StoreOptions>(
+      tree,
+      {"store",
+       "Prints the size of the kept results, and which of them earlier builds left",
+       {"./slosh store", "./slosh store --remove"}},
+      tell_of_store);
+  add_shared_store_option(command, options.store, tree.installation);
   CLI::Option* remove =
-      command.add_flag("--remove", options->remove,
+      command.add_flag("--remove", options.remove,
                        "Remove and list what earlier builds left and nobody uses; results of "
                        "external programs stay, and those of interFoam if it is not installed");
-  command.add_flag("--total", options->total_alone, "Print only the last line")->excludes(remove);
+  command.add_flag("--total", options.total_alone, "Print only the last line")->excludes(remove);
 }
 
 }  // namespace slosh

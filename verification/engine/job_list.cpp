@@ -1,13 +1,17 @@
 #include "verification/engine/job_list.hpp"
 
 #include <fmt/format.h>
+#include <sys/wait.h>
 
+#include <chrono>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <thread>
 
 #include "verification/files/atomic_file.hpp"
+#include "verification/files/child_process.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/json_text.hpp"
 
@@ -107,6 +111,82 @@ std::vector<JobState> JobList::initial_states() const {
   std::vector<JobState> states;
   for (const Job& job : jobs_) states.push_back({.job = job});
   return states;
+}
+
+namespace {
+
+// Far below the time of any run.
+constexpr std::chrono::milliseconds look_interval{10};
+
+void wait_for(ChildProcess& child, JobState& state, const std::atomic<bool>& stop) {
+  JobPhase end = JobPhase::running;
+  while (!child.is_over()) {
+    const bool too_long = state.job.time_limit > 0 && child.wall_time() > state.job.time_limit;
+    if (end == JobPhase::running && (stop || too_long)) {
+      end = stop ? JobPhase::interrupted : JobPhase::timed_out;
+      child.terminate();
+    }
+    std::this_thread::sleep_for(look_interval);
+  }
+  state.wall_time = child.wall_time();
+  const int status = child.wait_status();
+  state.status = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
+  const JobPhase own_end = WIFSIGNALED(status) ? JobPhase::signalled : JobPhase::exited;
+  state.phase = end == JobPhase::running ? own_end : end;
+}
+
+}  // namespace
+
+JobState run_job(const JobList& list, std::size_t index, const std::atomic<bool>& stop) {
+  JobState state{.job = list.jobs().at(index)};
+  try {
+    std::filesystem::remove(state.job.progress_file);  // from an earlier run
+    list.mark_started(index);
+    ChildProcess child(state.job.command, {.log_file = state.job.log_file});
+    wait_for(child, state, stop);
+  } catch (const std::runtime_error& error) {
+    state.phase = JobPhase::not_started;
+    state.message = error.what();
+  }
+  list.mark_ended(index, state);
+  return state;
+}
+
+namespace {
+
+constexpr std::chrono::milliseconds observe_interval{200};
+
+}  // namespace
+
+Watch::Watch(const JobList& list, const ObserveJobs& observe)
+    : list_(list), observe_(observe), states_(list.initial_states()) {}
+
+void Watch::look() {
+  if (list_.update(states_) || Clock::now() - told_ >= observe_interval) tell();
+}
+
+void Watch::lose(std::size_t index, const std::string& what_is_known) {
+  JobPhase& phase = states_[index].phase;
+  phase = phase == JobPhase::waiting ? JobPhase::not_started : JobPhase::lost;
+  states_[index].message = what_is_known;
+}
+
+std::vector<JobState> Watch::finish(bool stopped, const std::string& what_is_known) {
+  list_.update(states_);
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (has_ended(states_[i])) continue;
+    if (stopped)
+      states_[i].phase = JobPhase::interrupted;
+    else
+      lose(i, what_is_known);
+  }
+  tell();
+  return states_;
+}
+
+void Watch::tell() {
+  observe_(states_);
+  told_ = Clock::now();
 }
 
 }  // namespace slosh

@@ -3,10 +3,13 @@
 //   jobs.cbor     the jobs
 //   N.started     empty, made when job N starts
 //   N.ended.json  how it has ended, replaced as a whole
+// Below, how a process runs one job, and how the one that waits follows them all.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "verification/engine/job.hpp"
@@ -44,6 +47,42 @@ class JobList {
 
   std::filesystem::path directory_;
   std::vector<Job> jobs_;
+};
+
+// Starts the job, waits for it, enforces its time limit, records in the list how it has ended, and
+// returns that. Once `stop` is true the job's process group gets SIGTERM, three seconds later
+// what is left of it SIGKILL. Throws std::filesystem::filesystem_error where the list cannot be
+// written.
+JobState run_job(const JobList& list, std::size_t index, const std::atomic<bool>& stop);
+
+// Follows the jobs of a list while an engine runs them.
+class Watch {
+ public:
+  static constexpr std::chrono::milliseconds interval{20};  // between calls of look()
+
+  Watch(const JobList& list, const ObserveJobs& observe);
+
+  // Reads the list, and calls the observer at each change and about five times a second.
+  void look();
+
+  const std::vector<JobState>& states() const { return states_; }
+
+  // Marks a job that the engine no longer knows and of whose end the list has no record: as lost,
+  // or as not started where the list has no record of its start either.
+  void lose(std::size_t index, const std::string& what_is_known);
+
+  // Is called once the engine has ended. A job without a record of its end is marked as interrupted
+  // where `stopped`, else as lose() does.
+  std::vector<JobState> finish(bool stopped, const std::string& what_is_known);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void tell();
+
+  const JobList& list_;
+  const ObserveJobs& observe_;
+  std::vector<JobState> states_;
+  Clock::time_point told_ = {};
 };
 
 }  // namespace slosh

@@ -11,7 +11,6 @@
 
 #include "verification/engine/job_list.hpp"
 #include "verification/engine/slurm_engine.hpp"
-#include "verification/engine/watch.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/child_process.hpp"
 #include "verification/files/own_files.hpp"

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "verification/engine/job.hpp"
-#include "verification/engine/watch.hpp"
+#include "verification/engine/job_list.hpp"
 #include "verification/files/atomic_file.hpp"
 #include "verification/files/child_process.hpp"
 #include "verification/files/content_hash.hpp"

@@ -10,7 +10,7 @@
 //
 // Slosh names most outputs itself, below a directory that the user names. None of these lies behind
 // a link below it: whoever takes a path from the user resolves its links once (whole() of
-// cli/installation.hpp).
+// cli/command_tree.hpp).
 #pragma once
 
 #include <filesystem>

@@ -140,7 +140,7 @@ TEST_F(CampaignInBrowser, OfAllCampaignsIsOnePageWithTheBandOfEachModel) {
   }
   std::filesystem::create_directories(directory() / "out/broken/report");
   write("out/broken/report/results.json", "{\"campaign\": 3}");
-  const Ended ended = tool({"report", "--all", "--output", "out"});
+  const Ended ended = tool({"campaign", "--report-only", "--all", "--output", "out"});
   EXPECT_EQ(ended.status, 4) << "one cannot be read: " << ended.err;
   EXPECT_NE(ended.err.find("broken/report/results.json: "), std::string::npos) << ended.err;
   EXPECT_NE(ended.out.find("NOT COMPARED: 2 of 3 campaigns pass"), std::string::npos) << ended.out;
@@ -162,11 +162,11 @@ TEST_F(CampaignInBrowser, OfAllCampaignsIsOnePageWithTheBandOfEachModel) {
 }
 
 TEST_F(CampaignInBrowser, OfAllCampaignsIsNoneWithoutAReport) {
-  const Ended ended = tool({"report", "--all", "--output", "nowhere"});
+  const Ended ended = tool({"campaign", "--report-only", "--all", "--output", "nowhere"});
   EXPECT_EQ(ended.status, 2);
   EXPECT_NE(ended.err.find("--all: expected reports of campaigns"), std::string::npos) << ended.err;
-  EXPECT_EQ(tool({"report"}).status, 2);
-  EXPECT_EQ(tool({"report", "./surges.toml", "--all"}).status, 2);
+  EXPECT_EQ(tool({"campaign", "--report-only"}).status, 2);
+  EXPECT_EQ(tool({"campaign", "--report-only", "./surges.toml", "--all"}).status, 2);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST_F(ExternalRun, IsComputedAgainWhereAModuleOfItsScriptChanges) {
   write_campaign(script(""));
   EXPECT_EQ(campaign().status, 0);
   EXPECT_TRUE(holds(report_words(), doubt));
-  EXPECT_TRUE(holds(typed("check ./small.toml").out, doubt));
+  EXPECT_TRUE(holds(typed("explain ./small.toml").out, doubt));
 }
 
 // Three spacings of a program whose error falls with their square.
@@ -276,7 +276,7 @@ TEST_F(ExternalRun, LeavesWhyItFailedAsDataUntilItSucceeds) {
   EXPECT_TRUE(holds(failure.at("message"), "exit status 7; its last words: two"));
   EXPECT_EQ(failure.at("details"), "one\ntwo");
   EXPECT_EQ(read(failure.at("log").get<std::string>()), "one\ntwo\n");
-  const Ended report = typed("report ./surges.toml --output out");
+  const Ended report = typed("campaign --report-only ./surges.toml --output out");
   EXPECT_EQ(report.status, 3) << report.err;
   EXPECT_TRUE(holds(report.err, "    one\n    two\n"));
   std::filesystem::remove(directory() / "licence_expired");
@@ -367,7 +367,7 @@ TEST_F(ExternalRun, WithoutItsProgramFailsButIsStillReportedOn) {
   std::filesystem::copy_file(STAND_IN_SOLVER, directory() / "solve");
   EXPECT_EQ(campaign().status, 0);
   std::filesystem::remove(directory() / "solve");
-  EXPECT_EQ(typed("report ./surges.toml --output out").status, 0);
+  EXPECT_EQ(typed("campaign --report-only ./surges.toml --output out").status, 0);
   const Ended ended = campaign();
   EXPECT_EQ(ended.status, 3);
   EXPECT_TRUE(holds(ended.out + ended.err,

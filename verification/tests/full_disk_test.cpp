@@ -69,7 +69,7 @@ TEST_F(FullDisk, RemovesTheVerdictOfAnEarlierReportAndEndsWithFour) {
   fs::create_directory(directory() / "seed/report");
   write("seed/report/index.html", "an earlier report");
   write("seed/report/.slosh", content_hash("an earlier report") + " index.html\n");
-  RUN_ON_FULL_DISK({"report", "./surges.toml", "--output", "disk"});
+  RUN_ON_FULL_DISK({"campaign", "--report-only", "./surges.toml", "--output", "disk"});
   EXPECT_EQ(ran->status, 4) << ran->out;
   EXPECT_TRUE(ran->err.find("No space left on device") != std::string::npos ||
               ran->err.find("no space left in") != std::string::npos)

@@ -39,7 +39,7 @@ class GateVerdict : public SmallCampaign {
     return tool(command);
   }
   Ended gate(std::vector<std::string> more = {}) const { return on_ledger({"gate"}, more); }
-  Ended report() const { return tool({"report", "./surges.toml", "-o", "out"}); }
+  Ended report() const { return tool({"campaign", "--report-only", "./surges.toml", "-o", "out"}); }
   void approve(const std::vector<std::string>& more = {}) const {
     EXPECT_EQ(on_ledger({"baseline", "propose"}, more).status, 0);
     std::vector<std::string> by{"--who", "a tester", "--reason", "a test"};
@@ -358,19 +358,20 @@ TEST_F(GateVerdict, OfACampaignNamedAsAShippedOneIsNotComparedWithTheShippedLedg
 
 TEST_F(GateVerdict, OfAllCampaignsCountsAReportThatCannotBeRead) {
   ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", "all/surges"}).status, 0);
-  EXPECT_EQ(tool({"report", "--all", "-o", "all"}).status, 0);
+  EXPECT_EQ(tool({"campaign", "--report-only", "--all", "-o", "all"}).status, 0);
   fs::create_directories(directory() / "all/other/report");
-  EXPECT_EQ(tool({"report", "--all", "-o", "all"}).status, 4) << "it has no results.json";
+  EXPECT_EQ(tool({"campaign", "--report-only", "--all", "-o", "all"}).status, 4)
+      << "it has no results.json";
   for (const char* text : {"[]", "{}", ""}) {
     write("all/other/report/results.json", text);
-    const Ended ended = tool({"report", "--all", "-o", "all"});
+    const Ended ended = tool({"campaign", "--report-only", "--all", "-o", "all"});
     EXPECT_EQ(ended.status, 4) << text << ended.out;
     EXPECT_TRUE(holds(ended.out, "1 of 2 campaigns pass"));
   }
   std::string forged = read("all/surges/report/results.json");
   boost::replace_all(forged, "\"verdict\": \"pass\"", "\"verdict\": \"violated\"");
   write("all/other/report/results.json", forged);
-  EXPECT_EQ(tool({"report", "--all", "-o", "all"}).status, 4);
+  EXPECT_EQ(tool({"campaign", "--report-only", "--all", "-o", "all"}).status, 4);
 }
 
 TEST_F(GateVerdict, CountsARecordThatIsNotInTheDirectoryThatTheUserNames) {
@@ -414,13 +415,13 @@ class EarlierVerdict : public GateVerdict {
  protected:
   void pass_both() const {
     write_campaign(own_case);
-    EXPECT_EQ(tool({"report", "./surges.toml", "-o", place}).status, 0);
+    EXPECT_EQ(tool({"campaign", "--report-only", "./surges.toml", "-o", place}).status, 0);
     EXPECT_EQ(tool({"gate", "./surges.toml", "-o", place}).status, 0);
     EXPECT_TRUE(holds(page(), "Pass</strong>"));
     EXPECT_TRUE(holds(gate_page(), "PASS"));
     EXPECT_EQ(all().status, 0);
   }
-  Ended all() const { return tool({"report", "--all", "-o", "all"}); }
+  Ended all() const { return tool({"campaign", "--report-only", "--all", "-o", "all"}); }
   std::string page() const { return read(place + "/report/index.html"); }
   std::string gate_page() const { return read(place + "/gate/gate.md"); }
   void expect_no_report(const std::string& why) const {
@@ -436,15 +437,15 @@ class EarlierVerdict : public GateVerdict {
 
 TEST_F(EarlierVerdict, OutlivesNoLaterOneThatIsWorse) {
   ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", place}).status, 0);
-  for (const char* command : {"gate", "campaign", "report"}) {
+  for (const char* command : {"gate", "campaign", "campaign --report-only"}) {
     pass_both();
     write_campaign(with(own_case, "limit = 0.05", "limit = 0.001"));
-    EXPECT_EQ(tool({command, "./surges.toml", "-o", place}).status, 1);
+    EXPECT_EQ(typed(command + (" ./surges.toml -o " + place)).status, 1);
     expect_no_pass(command);
     EXPECT_EQ(all().status, 1) << command;
   }
   pass_both();
-  EXPECT_EQ(tool({"report", "./surges.toml", "-o", place}).status, 0);
+  EXPECT_EQ(tool({"campaign", "--report-only", "./surges.toml", "-o", place}).status, 0);
   EXPECT_TRUE(holds(gate_page(), "PASS")) << "a report that says the same leaves it";
 }
 
@@ -461,11 +462,11 @@ TEST_F(EarlierVerdict, OutlivesNoStartThatEndsEarly) {
       EXPECT_EQ(tool(words).status, 2) << mistake.front();
       expect_no_pass(mistake.front());
     }
-  for (const char* command : {"gate", "report"}) {
+  for (const char* command : {"gate", "campaign --report-only"}) {
     pass_both();
     const Ended full =
-        end_of(start("/bin/sh", {"-c", "\"$0\" \"$1\" ./surges.toml -o \"$2\" >/dev/full",
-                                 SLOSH_TOOL, command, place}));
+        end_of(start("/bin/sh", {"-c", "\"$0\" $1 ./surges.toml -o \"$2\" >/dev/full", SLOSH_TOOL,
+                                 command, place}));
     EXPECT_EQ(full.status, 4);
     expect_no_pass("a full standard output");
   }
@@ -514,8 +515,8 @@ TEST_F(EarlierVerdict, GivesWayToOneThatCannotBePrinted) {
     pass_both();
     write_campaign(with(own_case, "limit = 0.05", "limit = 0.001"));
     const Ended full =
-        end_of(start("/bin/sh", {"-c", "\"$0\" \"$1\" ./surges.toml -o \"$2\" >/dev/full",
-                                 SLOSH_TOOL, command, place}));
+        end_of(start("/bin/sh", {"-c", "\"$0\" $1 ./surges.toml -o \"$2\" >/dev/full", SLOSH_TOOL,
+                                 command, place}));
     EXPECT_EQ(full.status, 1) << command << full.err;
     EXPECT_TRUE(holds(full.err, "standard output"));
     expect_no_pass(command);
@@ -554,12 +555,12 @@ TEST_F(EarlierVerdict, SaysTheExitStatusOfItsProcess) {
 // The second start waits for the first, and does not put back what stood there in between.
 TEST_F(EarlierVerdict, OfTwoStartsAtOnceIsTheirOwn) {
   write_program(std::string("sleep 2\nexec \"") + STAND_IN_SOLVER + "\" \"$@\"\n");
-  for (const char* second : {"campaign", "report", "gate"}) {
+  for (const char* second : {"campaign", "campaign --report-only", "gate"}) {
     fs::remove_all(store());
     auto gate = start(SLOSH_TOOL, {"gate", "./surges.toml", "-o", place});
     for (int i = 0; i < 1000 && !fs::exists(directory() / place / "jobs"); ++i) ::usleep(10'000);
     ::usleep(500'000);
-    const Ended other = tool({second, "./surges.toml", "-o", place});
+    const Ended other = typed(second + (" ./surges.toml -o " + place));
     gate.wait();
     EXPECT_EQ(gate.exit_code(), 0) << second;
     EXPECT_EQ(other.status, 0) << second << other.err;
@@ -621,7 +622,9 @@ TEST_F(EarlierVerdict, IsTheExitStatusThatTheUserAskedFor) {
   ASSERT_EQ(tool({"campaign", "./surges.toml", "-o", place, "--inconclusive-exit", "0"}).status, 0);
   EXPECT_TRUE(holds(read(place + "/report/results.json"), "\"exit_status\": 0,"));
   EXPECT_EQ(all().status, 5);
-  EXPECT_EQ(tool({"report", "--all", "-o", "all", "--inconclusive-exit", "0"}).status, 0);
+  EXPECT_EQ(
+      tool({"campaign", "--report-only", "--all", "-o", "all", "--inconclusive-exit", "0"}).status,
+      0);
 }
 
 TEST_F(EarlierVerdict, IsReadAsItIsWritten) {

@@ -193,7 +193,7 @@ TEST_F(Outputs, RemoveNoDirectoryOfAUsersFromThatOfTheJobs) {
 }
 
 TEST_F(Outputs, ReplaceNoInputThatLiesInADirectoryOfTheTool) {
-  const Words report = words_of("report ./out/report/tables/surges.toml -o out");
+  const Words report = words_of("campaign --report-only ./out/report/tables/surges.toml -o out");
   fs::create_directories(directory() / "out/report/tables");
   fs::copy_file(directory() / "surges.toml", directory() / "out/report/tables/surges.toml");
   fs::copy_file(directory() / "small.toml", directory() / "out/report/tables/small.toml");
@@ -253,7 +253,8 @@ TEST_F(Outputs, LieBehindNoLinkThatWasCommitted) {
   begin_ledger();
   ASSERT_EQ(typed("gate ./surges.toml --ledger ledger.jsonl -o out").status, 0);
   const Words gate = words_of("gate ./surges.toml --ledger ledger.jsonl"),
-              start{"campaign", "./surges.toml"}, report{"report", "./surges.toml"},
+              start{"campaign", "./surges.toml"},
+              report{"campaign", "--report-only", "./surges.toml"},
               propose{"baseline", "propose", "./surges.toml", "--ledger", "ledger.jsonl"},
               mistake{"gate", "./surges.toml", "--mistake"};
   write("mine", "a week of work");
@@ -310,7 +311,7 @@ TEST_F(Outputs, ReplaceNoDocumentOfAUsers) {
   const Words end{"-o", "own"};
   for (Words words : {words_of("gate ./surges.toml --ledger ledger.jsonl"),
                       {"campaign", "./surges.toml"},
-                      {"report", "./surges.toml"},
+                      {"campaign", "--report-only", "./surges.toml"},
                       {"gate", "./surges.toml", "--mistake"},
                       {"baseline", "propose", "./surges.toml", "--ledger", "ledger.jsonl"}}) {
     SCOPED_TRACE(words.front());
@@ -330,7 +331,7 @@ TEST_F(Outputs, ReplaceNoDocumentOfAUsers) {
   fs::create_directory(directory() / "baselines");
   for (const char* file : {"surges.selftest.json", "baselines/surges.selftest.json"})
     write(file, "a week of work");
-  EXPECT_NE(typed("selftest ./surges.toml -o out --record").status, 0);
+  EXPECT_NE(typed("gate --selftest ./surges.toml -o out --record").status, 0);
   for (const char* file : {"surges.selftest.json", "baselines/surges.selftest.json"})
     EXPECT_EQ(read(file), "a week of work") << file;
 }
@@ -424,15 +425,15 @@ TEST_F(Outputs, RefuseEmptyPathsByTheNameOfTheOption) {
                          {"--store", "store", "--store", ""},
                          {"--store", "store", "--store="},
                          {"--output", "campaign", "./surges.toml", "-o", ""},
-                         {"--output", "report", "./surges.toml", "--output="},
+                         {"--output", "gate", "./surges.toml", "--output="},
                          {"--output", "case", "./small.toml", "--for", "csv", "-o", ""},
                          {"--output", "new", "other", "--like", "./small.toml", "-o", ""},
-                         {"--output", "problem", "rigid_rotation", "-o", ""},
+                         {"--output", "run", "rigid_rotation", "-o", ""},
                          {"--ledger", "gate", "./surges.toml", "--ledger", ""},
                          {"--ledger", "baseline", "approve", "./surges.toml", "--ledger", "",
                           "--new", "--who", "a", "--reason", "b"},
                          {"--campaign", "run", "./small.toml", "theory", "--campaign", ""},
-                         {"--experiments", "check", "./small.toml", "--experiments", ""},
+                         {"--experiments", "explain", "./small.toml", "--experiments", ""},
                          {"--case", "compare", "theory.h5", "mine.h5", "--case", ""}};
   for (const Output& output : outputs()) {
     const std::size_t last = output.words.size() - 2;
@@ -453,11 +454,10 @@ TEST_F(Outputs, OfAFullOrClosedStandardOutputFailEveryCommand) {
                          {"list", "--json"},
                          {"explain", "./small.toml"},
                          {"explain", "--keys"},
-                         {"check", "./small.toml"},
                          {"store"},
                          {"--version"},
                          {"--help"},
-                         {"report", "./surges.toml", "-o", "out"},
+                         {"campaign", "--report-only", "./surges.toml", "-o", "out"},
                          {"campaign", "./surges.toml", "--dry-run"},
                          {"export", "theory.h5", "--csv"}};
   for (const Words& words : all)
@@ -479,13 +479,13 @@ TEST_F(Outputs, WriteAReportAgainWhosePagesWereRemovedAndKeepAnEditedOne) {
   fs::path figure;
   for (const auto& entry : fs::directory_iterator(report() / "figures")) figure = entry.path();
   const auto expect_written = [&](const char* command, const char* what) {
-    const Ended ended = tool({command, "./surges.toml", "--output", "out"});
+    const Ended ended = typed(command + std::string(" ./surges.toml --output out"));
     EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
     EXPECT_TRUE(fs::exists(figure)) << what;
     EXPECT_TRUE(fs::exists(report() / "results.json")) << what;
     EXPECT_EQ(read(report() / "index.html").size(), page.size()) << what;
   };
-  for (const char* command : {"report", "campaign"}) {
+  for (const char* command : {"campaign --report-only", "campaign"}) {
     write("out/report/index.html", "edited");
     expect_written(command, "an edited page");
     EXPECT_EQ(read("out/report/index.html.kept-1"), "edited");

@@ -31,7 +31,9 @@ class SmallAmplitudeCampaign : public SmallCampaign {
   fs::path result_of(const std::string& output, const std::string& run) const {
     return directory() / output / "runs" / case_name / (run + ".h5");
   }
-  Ended report() const { return tool({"report", "./surges.toml", "--output", "gated"}); }
+  Ended report() const {
+    return tool({"campaign", "--report-only", "./surges.toml", "--output", "gated"});
+  }
 };
 
 TEST_F(SmallAmplitudeCampaign, PassesAndNeverWithACandidateOfAnotherGravity) {

@@ -97,6 +97,10 @@ TEST_F(ToolHelp, NamesTheCommandsOfTheLauncher) {
 
 TEST_F(ToolHelp, BeginsItsAnswerToAWrongWordWithTheNearestOnes) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"report", "x"}, "command 'report' is not known; use `./slosh campaign NAME --report-only`"},
+      {{"selftest", "x"}, "command 'selftest' is not known; use `./slosh gate NAME --selftest`"},
+      {{"problem", "x"}, "command 'problem' is not known; use `./slosh run PROBLEM`"},
+      {{"check", "x"}, "command 'check' is not known; use `./slosh explain CASE`"},
       {{"campain"}, "command 'campain' is not known; did you mean 'campaign'"},
       {{"baseline", "aprove", "x"}, "command 'aprove' is not known; did you mean 'approve'"},
       {{"gate", "small_amplitude", "--qick"},

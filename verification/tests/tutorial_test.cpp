@@ -36,7 +36,8 @@ class Tutorial : public SmallCampaign {
     const Ended shown = tool({"show", "docs/tutorial/own_tank.toml", "-o", "own_tank.png"});
     EXPECT_EQ(shown.status, 0) << shown.err;
     EXPECT_GT(fs::file_size(directory() / "own_tank.png"), 10'000u);
-    const Ended tried = tool({"selftest", "docs/tutorial/campaign.toml", "-o", "own_tank"});
+    const Ended tried =
+        tool({"gate", "--selftest", "docs/tutorial/campaign.toml", "-o", "own_tank"});
     EXPECT_EQ(tried.status, 0) << tried.out << tried.err;
   }
 };

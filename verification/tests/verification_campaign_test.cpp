@@ -47,7 +47,8 @@ TEST_F(VerificationCampaign, DetectsTogetherWhatEveryCaseMust) {
         "\"extreme_million_particles\"]\n");
   const Ended run = tool({"campaign", "./extremes.toml", "--quick", "--output", "out"});
   ASSERT_EQ(run.status, 0) << run.err << run.out;
-  const Ended tested = tool({"selftest", "./extremes.toml", "--quick", "--output", "out"});
+  const Ended tested =
+      tool({"gate", "--selftest", "./extremes.toml", "--quick", "--output", "out"});
   EXPECT_EQ(tested.status, 0) << tested.out;
   EXPECT_NE(tested.out.find("the rows of 0 of 3 cases miss"), std::string::npos) << tested.out;
 }
@@ -81,14 +82,14 @@ TEST_F(VerificationCampaign, NeverPassesATruncatedResultAndComputesItAgain) {
   ASSERT_EQ(tool({"campaign", "./suite.toml", "--output", "out"}).status, 0);
   const fs::path result = directory() / "out/problems/gamma_map.json";
   fs::resize_file(result, fs::file_size(result) / 2);
-  EXPECT_EQ(tool({"report", "./suite.toml", "--output", "out"}).status, 4);
+  EXPECT_EQ(tool({"campaign", "--report-only", "./suite.toml", "--output", "out"}).status, 4);
   const Ended again = tool({"campaign", "./suite.toml", "--output", "out"});
   EXPECT_EQ(again.status, 0) << again.err;
   EXPECT_NE(again.err.find("it is computed again"), std::string::npos) << again.err;
 }
 
 TEST_F(VerificationCampaign, NamesTheNearestProblemOfAWrongName) {
-  const Ended one = tool({"problem", "gama_map"});
+  const Ended one = tool({"run", "gama_map"});
   EXPECT_EQ(one.status, 2);
   EXPECT_NE(one.err.find("nearest: gamma_map"), std::string::npos) << one.err;
   write("suite.toml", with(small_suite, "\"gamma_map\"", "\"gama_map\""));

@@ -94,7 +94,7 @@ TEST_F(YourCode, PassesTheGateAndDoesNotWhereItIsBroken) {
   for (const std::string& row : rows_of(text)) EXPECT_TRUE(holds(printed, row));
   EXPECT_TRUE(holds(read("../my_sph/figures.jsonl"), "The first figures."));
   const std::string selftest =
-      "./slosh selftest ../my_sph/campaign.toml --quick -o ../my_sph/gated";
+      "./slosh gate ../my_sph/campaign.toml --selftest --quick -o ../my_sph/gated";
   EXPECT_TRUE(holds(text, "`" + selftest + "`"));
   const Ended tried = shell(selftest);
   EXPECT_EQ(tried.status, 0) << tried.out << tried.err;

@@ -12,7 +12,6 @@
 
 #include "reports/drawing/figure_layout.hpp"
 #include "reports/drawing/gnuplot_script.hpp"
-#include "reports/drawing/run_gnuplot.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/pages/write_report.hpp"
 #include "reports/tests/test_environment.hpp"

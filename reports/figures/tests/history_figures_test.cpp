@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "reports/pages/check_report.hpp"
-#include "reports/summary/campaign_report.hpp"
+#include "reports/pages/write_report.hpp"
+#include "reports/summary/report_sections.hpp"
 #include "verification/tests/figure_results.hpp"
 #include "verification/tests/messages.hpp"
 

@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "reports/figures/figure_runs.hpp"
-#include "reports/pages/check_report.hpp"
-#include "reports/summary/campaign_report.hpp"
+#include "reports/pages/write_report.hpp"
+#include "reports/summary/report_sections.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/tests/figure_results.hpp"

@@ -12,7 +12,6 @@
 #include <set>
 
 #include "reports/model/report_files.hpp"
-#include "reports/pages/check_report.hpp"
 #include "reports/pages/report_documents.hpp"
 #include "reports/tests/sample_report.hpp"
 #include "reports/tests/test_environment.hpp"

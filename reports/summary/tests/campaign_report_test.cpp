@@ -1,6 +1,4 @@
 // What a campaign's report and its JSON say of assessed cases.
-#include "reports/summary/campaign_report.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,8 +8,9 @@
 #include <stdexcept>
 
 #include "reports/figures/figure_runs.hpp"
-#include "reports/pages/check_report.hpp"
+#include "reports/pages/write_report.hpp"
 #include "reports/summary/headline.hpp"
+#include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
 #include "verification/assessment/campaign_cost.hpp"
 #include "verification/tests/figure_results.hpp"

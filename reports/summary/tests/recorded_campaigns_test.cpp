@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "reports/pages/check_report.hpp"
+#include "reports/pages/write_report.hpp"
 #include "reports/summary/results_json.hpp"
 #include "verification/tests/messages.hpp"
 #include "verification/tests/surge_results.hpp"

@@ -56,7 +56,7 @@ json whole_document() {
   const ProblemGateRow order{"velocity", ProblemMetric::order_at_least, "1", 1.9, {}, "a", "b", {}};
   ProblemRun run{{RunState::finished, ""}, ProblemResult{}};
   run.result->outcome.measures = {{"velocity", {{0.1, 0.01}, {0.05, 0.0025}}}, {"none", {}}};
-  run.result->provenance = {{"command", "./slosh problem"}};
+  run.result->provenance = {{"command", "./slosh run"}};
   const RunFailure failure{"killed", "out of memory", "step 7", "fine_mesh.log"};
   const ProblemRun failed{{RunState::failed, "killed", failure}, {}};
   CaseRuns diverged = surge_runs_without("fine_mesh", RunState::failed, "diverged");

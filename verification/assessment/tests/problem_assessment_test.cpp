@@ -9,9 +9,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "reports/pages/check_report.hpp"
-#include "reports/summary/campaign_report.hpp"
+#include "reports/pages/write_report.hpp"
 #include "reports/summary/headline.hpp"
+#include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/problems/problem_list.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "reports/pages/check_report.hpp"
-#include "reports/summary/campaign_report.hpp"
+#include "reports/pages/write_report.hpp"
+#include "reports/summary/report_sections.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh::record_assessment_test {

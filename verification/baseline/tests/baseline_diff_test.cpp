@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-#include "verification/baseline/baseline_change.hpp"
+#include "verification/baseline/baseline_ledger.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::baseline_diff_test {

@@ -1,5 +1,3 @@
-#include "verification/campaign/job_failure.hpp"
-
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "verification/baseline/baseline_diff.hpp"
@@ -49,17 +50,6 @@ MovedRows moved_rows(const CampaignOptions& options, const Installation& install
           exit_status(assessed.cases, assessed.problems)};
 }
 
-// Prints the rows that have changed, and returns their number.
-std::size_t print_changes(const std::vector<RowMovement>& moved) {
-  std::size_t count = 0;
-  for (const RowMovement& movement : moved) {
-    if (!movement.has_changed()) continue;
-    ++count;
-    std::cout << movement.row << ": " << movement_text(movement) << "\n";
-  }
-  return count;
-}
-
 struct ApprovalOptions {
   std::string who, reason;
 };
@@ -67,7 +57,8 @@ struct ApprovalOptions {
 // Prints what has changed. Returns exit_violated if anything has.
 int diff_baseline(const CampaignOptions& options, const Installation& installation) {
   const MovedRows now = moved_rows(options, installation);
-  const std::size_t changed = print_changes(now.moved);
+  print_lines(changed_lines(now.moved));
+  const auto changed = std::ranges::count_if(now.moved, &RowMovement::has_changed);
   std::cout << fmt::format("{} of {} rows have changed since the baseline {}\n", changed,
                            now.moved.size(), now.ledger.string());
   return changed == 0 ? exit_pass : exit_violated;
@@ -77,7 +68,7 @@ int diff_baseline(const CampaignOptions& options, const Installation& installati
 // are no reason why it has not.
 int propose_baseline(const CampaignOptions& options, const Installation& installation) {
   const MovedRows now = moved_rows(options, installation);
-  print_changes(now.moved);
+  print_lines(changed_lines(now.moved));
   const Proposal proposal{now.campaign, proposed_changes(now.moved)};
   if (proposal.changes.empty()) {
     std::cout << "nothing to propose: "
@@ -125,12 +116,10 @@ void add_baseline_commands(const CommandTree& tree) {
                        auto command) {
     const auto [added, options] = add_command_on_campaign(
         below, {name, description, {std::string("./slosh baseline ") + name + example + more}},
-        [command, &installation = tree.installation](const CampaignOptions& given) {
-          return command(given, installation);
-        });
-    add_ledger_option(*added, *options);
-    add_new_ledger_option(*added, *options);
-    return added;
+        command);
+    add_ledger_option(added, options);
+    added.add_flag("--new", options.new_ledger, "Begin a ledger that is not there yet");
+    return &added;
   };
   add("diff", "Prints what has changed; exit status 1 if anything has", "", diff_baseline);
   add("propose", "Writes a proposal to make the present results the baseline", "",

@@ -1,5 +1,5 @@
-// The subcommands campaign and report: run a campaign's cases, compare and judge them, and write
-// the report; or the same from the results that are there.
+// The subcommand campaign: runs a campaign's cases, compares and judges them, and writes the
+// report.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,26 +11,25 @@
 #include <vector>
 
 #include "reports/pages/write_report.hpp"
-#include "reports/summary/campaign_report.hpp"
 #include "reports/summary/headline.hpp"
 #include "reports/summary/recorded_campaigns.hpp"
+#include "reports/summary/report_sections.hpp"
 #include "reports/summary/results_json.hpp"
 #include "sph/threads.hpp"
 #include "verification/assessment/campaign_cost.hpp"
 #include "verification/campaign/known_drawings.hpp"
-#include "verification/cli/campaign/campaign_options.hpp"
 #include "verification/cli/campaign/earlier_verdicts.hpp"
-#include "verification/cli/campaign/printed_headline.hpp"
+#include "verification/cli/campaign/gate_files.hpp"
 #include "verification/cli/campaign/requested_campaign.hpp"
+#include "verification/cli/texts/campaign_text.hpp"
 #include "verification/files/content_hash.hpp"
 #include "verification/files/foreign/legible_text.hpp"
 #include "verification/input/case_file_error.hpp"
-#include "verification/texts/campaign_text.hpp"
 
 namespace slosh {
 namespace {
 
-// `report --all`: one page over all campaigns whose reports lie in a directory.
+// `campaign --report-only --all`: one page over all campaigns whose reports lie in a directory.
 
 namespace fs = std::filesystem;
 
@@ -60,7 +59,7 @@ int write_report_of_all(const CampaignOptions& options, const Installation& inst
     } catch (const std::invalid_argument& error) {
       left_out.push_back(legible_message(file.lexically_relative(directory).string()));
       std::cerr << legible_message(
-          fmt::format("{}: {}; `slosh report NAME` writes the campaign's report anew\n",
+          fmt::format("{}: {}; `slosh campaign NAME --report-only` writes its report anew\n",
                       file.string(), error.what()));
     }
   if (campaigns.empty() && left_out.empty())
@@ -159,57 +158,48 @@ int run_campaign(const CampaignOptions& options, const Installation& installatio
   });
 }
 
-// Takes the place of the name of one campaign, and of what concerns the runs of one.
-void add_all_option(CLI::App& report, CampaignOptions& options) {
-  CLI::Option* all = report.add_flag(
-      "--all", options.all,
-      "One page over all campaigns that have a report in DIR/NAME/report (default of DIR: "
-      "build/campaigns): their verdicts, and bias and scatter of each model over all of them");
-  report.get_option("name")->required(false);
-  for (const char* other : {"name", "--quick", "--only", "--tag"})
-    all->excludes(report.get_option(other));
-}
-
-void add_start_options(CLI::App& command, CampaignOptions& options) {
+void add_own_options(CLI::App& command, CampaignOptions& options) {
   command.add_flag("--dry-run", options.dry_run,
                    "Only print what would be run, what that costs and what is kept");
   command.add_flag("--resume", options.resume, "Continue an earlier start, which must exist");
+  CLI::Option* report_only =
+      command.add_flag("--report-only", options.report_only,
+                       "Start no solver: compare, report and gate the results that are there");
+  for (const char* other : {"--dry-run", "--resume", "--jobs", "--launcher", "--timings"})
+    report_only->excludes(command.get_option(other));
+  // Takes the place of the name of one campaign, and of what concerns the runs of one.
+  CLI::Option* all = command.add_flag(
+      "--all", options.all,
+      "One page over all campaigns that have a report in DIR/NAME/report (default of DIR: "
+      "build/campaigns): their verdicts, and bias and scatter of each model over all of them");
+  all->needs(report_only);
+  command.get_option("name")->required(false);
+  command.parse_complete_callback([&options] {
+    if (options.campaign.empty() && !options.all) throw CLI::RequiredError("name");
+  });
+  for (const char* other : {"name", "--quick", "--only", "--tag"})
+    all->excludes(command.get_option(other));
 }
 
 }  // namespace
 
 void add_campaign_command(const CommandTree& tree) {
-  const auto judge = [tree](CampaignOptions options, bool solve) {
-    tree.stop_on_signals();
-    options.solve = solve;
-    return run_campaign(options, tree.installation, tree.stop);
-  };
-  const auto [campaign, campaign_options] = add_command_on_campaign(
-      tree,
-      {"campaign",
-       "Runs a campaign's cases, compares, reports and gates",
-       {"./slosh campaign " + std::string(example_run),
-        "./slosh campaign verification --only rigid_rotation -o problems",
-        "./slosh campaign small_amplitude --dry-run"}},
-      [judge](const CampaignOptions& options) { return judge(options, true); });
-  add_selection_options(*campaign, campaign_options->selection);
-  add_inconclusive_option(*campaign, *campaign_options);
-  add_launch_options(*campaign, *campaign_options);
-  add_start_options(*campaign, *campaign_options);
-  const auto [report, report_options] = add_command_on_campaign(
-      tree,
-      {"report",
-       "Does the same with the existing results; starts no solver",
-       {"./slosh report " + std::string(example_run)}},
-      [judge, tree](const CampaignOptions& options) {
-        if (options.all) return report_of_all(options, tree.installation, tree.stop);
-        if (options.campaign.empty())
-          throw CaseFileError("name: expected a campaign, or --all for all that have a report");
-        return judge(options, false);
-      });
-  add_selection_options(*report, report_options->selection);
-  add_inconclusive_option(*report, *report_options);
-  add_all_option(*report, *report_options);
+  const auto [command, options] =
+      add_command_on_campaign(tree,
+                              {"campaign",
+                               "Runs a campaign's cases, compares, reports and gates",
+                               {"./slosh campaign " + std::string(example_run),
+                                "./slosh campaign verification --only rigid_rotation -o problems",
+                                "./slosh campaign small_amplitude --dry-run",
+                                "./slosh campaign --report-only " + std::string(example_run)}},
+                              [tree](const CampaignOptions& given, const Installation&) {
+                                if (given.all)
+                                  return report_of_all(given, tree.installation, tree.stop);
+                                tree.stop_on_signals();
+                                return run_campaign(given, tree.installation, tree.stop);
+                              });
+  add_start_options(command, options);
+  add_own_options(command, options);
 }
 
 }  // namespace slosh

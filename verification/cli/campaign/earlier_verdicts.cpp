@@ -225,15 +225,18 @@ int status_of(const std::exception& error, const std::atomic<bool>& stop) {
 void supersede_for_mistake(const CLI::App& app, const Installation& installation,
                            const std::string& mistake) {
   const std::atomic<bool> never{false};
-  for (const char* name : {"campaign", "gate", "report"}) {
+  for (const char* name : {"campaign", "gate"}) {
     const CLI::App& command = *app.get_subcommand(name);
-    if (!command.parsed()) continue;
+    const auto is_given = [&](const char* option) {
+      return command.get_option_no_throw(option) && command.get_option(option)->count() > 0;
+    };
+    if (!command.parsed() || is_given("--selftest")) continue;
     const auto words = [&](const char* option) { return command.get_option(option)->results(); };
     CampaignOptions options;
-    options.selection.quick = command.get_option("--quick")->count() > 0;
+    options.selection.quick = is_given("--quick");
     options.selection.only = words("--only");
     options.selection.tags = words("--tag");
-    options.all = command.get_option_no_throw("--all") && command.get_option("--all")->count() > 0;
+    options.all = is_given("--all");
     // The words that the parser could not place may be the output or the campaign.
     std::vector<std::string> outputs = words("--output"), names = words("name");
     for (const std::string& one : app.remaining(true)) {

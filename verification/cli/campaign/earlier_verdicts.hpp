@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/cli/campaign/campaign_options.hpp"
+#include "verification/cli/campaign/requested_campaign.hpp"
 #include "verification/files/file_lock.hpp"
 
 namespace slosh {

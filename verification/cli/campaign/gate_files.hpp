@@ -1,4 +1,5 @@
-// The files by which the gate reports to continuous integration and to reviewers.
+// What a judged campaign says below its rows: on a terminal, and in the files by which the gate
+// reports to continuous integration and to reviewers.
 #pragma once
 
 #include <filesystem>
@@ -6,10 +7,22 @@
 #include <vector>
 
 #include "reports/summary/gate_document.hpp"
+#include "reports/summary/headline.hpp"
 #include "verification/baseline/baseline_diff.hpp"
 #include "verification/cli/campaign/requested_campaign.hpp"
 
 namespace slosh {
+
+// The headline with its verdict, and the row that decides it or is nearest to its limit.
+std::string verdict_text(const AssessedCampaign& assessed, const std::vector<HeadlineLine>& lines,
+                         int status);
+
+// The same, the doubts about runs, and a line for each case and code, which
+// begins with how it stands. `status` is that of the verdict.
+std::string headline_text(const AssessedCampaign& assessed, int status);
+
+// How many rows hold, how many of the declared ones are judged, and what they rest on: sentences.
+std::string rows_text(const AssessedCampaign& assessed);
 
 // What the gate has found beside the assessment.
 struct GateFindings {

@@ -1,18 +1,63 @@
-// A campaign as the options request it, with its files read and checked.
+// The options of the subcommands that work on a campaign, and the campaign as they request it, with
+// its files read and checked, then with its results.
 #pragma once
 
 #include <atomic>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "verification/assessment/case_assessment.hpp"
 #include "verification/assessment/problem_assessment.hpp"
 #include "verification/campaign/campaign_settings.hpp"
 #include "verification/case/campaign_definition.hpp"
-#include "verification/cli/campaign/campaign_options.hpp"
+#include "verification/cli/command_tree.hpp"
+#include "verification/gate/gate.hpp"
 
 namespace slosh {
+
+struct CampaignOptions {
+  std::string campaign;
+  RunSelection selection = {};  // --quick, --only and --tag
+  bool report_only = false;     // only read existing results
+  int at_once = 1;
+  Engine engine = Engine::ninja;
+  bool dry_run = false;              // only print what would be done
+  bool resume = false;               // require an earlier start, and continue it
+  std::optional<int> timings = {};   // repeats of each run; absent: as the campaign says
+  std::filesystem::path store = {};  // of results; empty: <build>/store
+  // The exit status if nothing is worse than inconclusive.
+  int inconclusive_exit = exit_inconclusive;
+  bool all = false;                   // one report over all campaigns of the output directory
+  std::filesystem::path experiments;  // empty: none is named
+  // Empty: <build>/campaigns/<name>, with "-quick" for the quick form.
+  std::filesystem::path output;
+  // The ledger of baselines; absent: as baselines_of() says, <name>.jsonl, likewise.
+  std::optional<std::filesystem::path> ledger = {};
+  bool new_ledger = false;  // begin a new ledger
+};
+
+// Each of these adds a few options to a command.
+void add_campaign_options(CLI::App& command, CampaignOptions& options);
+void add_ledger_option(CLI::App& command, CampaignOptions& options);
+// The selection, the launch, and the exit status of inconclusive rows.
+void add_start_options(CLI::App& command, CampaignOptions& options);
+
+template <class Act>
+AddedCommand<CampaignOptions> add_command_on_campaign(const CommandTree& tree,
+                                                      const CommandText& text, Act act) {
+  const auto added = add_command_with<CampaignOptions>(tree, text, act);
+  add_campaign_options(added.command, added.options);
+  add_shared_store_option(added.command, added.options.store, tree.installation);
+  return added;
+}
+
+// The arguments of the examples that several commands show.
+inline constexpr const char* example_run =
+    "verification --only 'standing_wave/recommended_20mm' -o wave";
 
 struct RequestedCampaign {
   CampaignDefinition definition;
@@ -48,13 +93,10 @@ std::filesystem::path baselines_of(const CampaignDefinition& campaign,
 std::filesystem::path ledger_of(const CampaignOptions& options, const CampaignDefinition& campaign,
                                 const Installation& installation);
 
-// A campaign with the results of its runs, compared and judged, and how the subcommands report it.
-
+// A campaign with the results of its runs, compared and judged.
 struct AssessedCampaign {
   CampaignDefinition definition;
-  // The directory of the report and the gate's files: <options.output>, or for a selection its
-  // folder selected/, so that a part is never mistaken for the whole.
-  std::filesystem::path output;
+  std::filesystem::path output;  // RequestedCampaign::place
   std::vector<CaseAssessment> cases;
   std::vector<ProblemAssessment> problems;
 };

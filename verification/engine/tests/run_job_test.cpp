@@ -1,5 +1,3 @@
-#include "verification/engine/run_job.hpp"
-
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -9,6 +7,7 @@
 #include <sstream>
 #include <thread>
 
+#include "verification/engine/job_list.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::run_job_test {

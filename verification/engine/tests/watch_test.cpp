@@ -1,7 +1,6 @@
-#include "verification/engine/watch.hpp"
-
 #include <gtest/gtest.h>
 
+#include "verification/engine/job_list.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::watch_test {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/pages/check_report.hpp"
+#include "reports/pages/write_report.hpp"
 #include "verification/papers/paper_sections.hpp"
 
 namespace slosh {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "reports/pages/check_report.hpp"
+#include "reports/pages/write_report.hpp"
 #include "verification/papers/paper_sections.hpp"
 #include "verification/tests/impact_runs.hpp"
 

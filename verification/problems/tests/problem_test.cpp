@@ -64,7 +64,7 @@ ProblemResult sample() {
   result.problem = "rigid_rotation";
   result.quick = true;
   result.key = "1-2";
-  result.provenance = {{"command", "./slosh problem rigid_rotation"}};
+  result.provenance = {{"command", "./slosh run rigid_rotation"}};
   result.cost.user_time = 1.5;
   result.outcome.measures = {
       {"slope", {{0.1, 1.0 / 3}, {0.05, std::numeric_limits<double>::quiet_NaN()}}}};

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "verification/sensitivity/selftest_record.hpp"
 #include "verification/tests/surge_results.hpp"
 #include "verification/tests/temporary_directory.hpp"
 

@@ -1,4 +1,4 @@
-// The records of the shipped campaigns' self-tests (selftest_record.hpp): each form of each
+// The records of the shipped campaigns' self-tests (case_coverage.hpp): each form of each
 // campaign has one, of the rows as they are, which shows that the rows of every case detect
 // together what every case must detect.
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include "verification/case_file/campaign_parser.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/problems/problem_list.hpp"
-#include "verification/sensitivity/selftest_record.hpp"
+#include "verification/sensitivity/case_coverage.hpp"
 
 namespace slosh::selftest_records_test {
 namespace {
@@ -39,9 +39,9 @@ class SelftestRecords : public ::testing::TestWithParam<fs::path> {
         read_campaign(GetParam(), verification / "cases", known_problems());
     if (campaign.cases.empty()) return;
     const fs::path file = selftest_record_file(verification / "baselines", campaign.name, quick);
-    ASSERT_TRUE(fs::exists(file)) << "no self-test of this form is recorded; ./slosh selftest "
+    ASSERT_TRUE(fs::exists(file)) << "no self-test of this form is recorded; ./slosh gate "
                                   << campaign.name << (quick ? " --quick" : "")
-                                  << " --record makes it";
+                                  << " --selftest --record makes it";
     try {
       const SelftestRecord record = read_selftest_record(file);
       EXPECT_EQ(record.campaign, campaign.name);

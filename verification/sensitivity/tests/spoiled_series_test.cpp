@@ -1,11 +1,10 @@
 // Spoiled series against the signal that each must be.
-#include "verification/sensitivity/spoiled_series.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
+#include "verification/sensitivity/gate_sensitivity.hpp"
 #include "verification/tests/synthetic_series.hpp"
 
 namespace slosh::spoiled_series_test {

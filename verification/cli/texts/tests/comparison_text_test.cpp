@@ -1,7 +1,6 @@
-#include "verification/texts/comparison_text.hpp"
-
 #include <gtest/gtest.h>
 
+#include "verification/cli/texts/result_text.hpp"
 #include "verification/tests/impact_results.hpp"
 #include "verification/tests/messages.hpp"
 #include "verification/tests/surge_results.hpp"

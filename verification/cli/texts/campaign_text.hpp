@@ -8,7 +8,7 @@
 #include "verification/assessment/problem_assessment.hpp"
 #include "verification/campaign/campaign_settings.hpp"
 #include "verification/case/campaign_definition.hpp"
-#include "verification/display/progress_display.hpp"
+#include "verification/engine/progress_display.hpp"
 
 namespace slosh {
 

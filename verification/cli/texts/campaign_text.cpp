@@ -1,4 +1,4 @@
-#include "verification/texts/campaign_text.hpp"
+#include "verification/cli/texts/campaign_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "verification/texts/case_explanation.hpp"
+#include "verification/cli/texts/case_explanation.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "reports/wording/case_text.hpp"
+#include "reports/wording/shown_quantity.hpp"
 #include "verification/assessment/doubts/model_limits.hpp"
 #include "verification/case/changed_input.hpp"
 #include "verification/case/ensemble.hpp"
@@ -15,10 +16,10 @@
 #include "verification/case/quantities.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
+#include "verification/cli/texts/result_text.hpp"
 #include "verification/gate/gate.hpp"
 #include "verification/runs/expected_cost.hpp"
 #include "verification/solvers/theory/natural_frequencies.hpp"
-#include "verification/texts/result_text.hpp"
 
 namespace slosh {
 namespace {
@@ -45,21 +46,13 @@ std::string entry(const std::string& label, const std::string& text) {
   return lines.replace(2, label.size(), label);
 }
 
-std::string place_text(const PressureGaugeDefinition& gauge) {
-  if (gauge.at)
-    return fmt::format("on the outline at x = {:g} m, z = {:g} m", gauge.at->x, gauge.at->z);
-  const bool is_side = gauge.wall == Wall::left || gauge.wall == Wall::right;
-  return fmt::format("on the {}{} at {:g} m", name_of(gauge.wall, wall_names),
-                     is_side ? " wall" : "", gauge.position);
-}
-
 std::string gauges_text(const CaseDefinition& definition) {
   std::vector<std::string> texts;
   for (const GaugeDefinition& gauge : definition.gauges)
     texts.push_back(fmt::format("elevation@{} {:g} m from the left wall", gauge.name, gauge.x));
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges)
     texts.push_back(fmt::format(
-        "wall_pressure@{} {}{}", gauge.name, place_text(gauge),
+        "wall_pressure@{} {}{}", gauge.name, place_on_wall(gauge),
         gauge.filter_cutoff ? fmt::format(", also filtered at {:g} Hz", *gauge.filter_cutoff)
                             : ""));
   for (const ProbeDefinition& probe : definition.probes)

@@ -1,4 +1,4 @@
-#include "verification/texts/result_text.hpp"
+#include "verification/cli/texts/result_text.hpp"
 
 #include <gtest/gtest.h>
 

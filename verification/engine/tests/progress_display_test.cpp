@@ -1,4 +1,4 @@
-#include "verification/display/progress_display.hpp"
+#include "verification/engine/progress_display.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

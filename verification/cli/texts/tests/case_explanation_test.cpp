@@ -1,4 +1,4 @@
-#include "verification/texts/case_explanation.hpp"
+#include "verification/cli/texts/case_explanation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -84,14 +84,15 @@ TEST(CaseExplanation, TellsTheShapeOfTheTankAndWhereItsSensorsSit) {
   EXPECT_TRUE(holds(explanation(definition, {}), "tank 1 m long, 1 m high "));
   definition.pressure_gauges = {{"a", Wall::roof, 0.3}, {"b", Wall::left, 0.1}};
   EXPECT_TRUE(holds(explanation(definition, {}),
-                    "wall_pressure@a on the roof at 0.3 m; wall_pressure@b on the left wall at 0.1 "
-                    "m"));
+                    "wall_pressure@a on the roof 0.3 m from the left wall; wall_pressure@b on the "
+                    "left wall 0.1 m above the bottom"));
   definition.tank.outline = {{0, 0}, {1, 0}, {0.5, 1}};
   definition.pressure_gauges = {
       {.name = "a", .wall = Wall::bottom, .position = 0, .at = Corner{0.75, 0.5}}};
   const std::string text = explanation(definition, {});
   EXPECT_TRUE(holds(text, "tank a polygon of 3 corners, 1 m long, 1 m high ")) << text;
-  EXPECT_TRUE(holds(text, "wall_pressure@a on the outline at x = 0.75 m, z = 0.5 m")) << text;
+  EXPECT_TRUE(holds(text, "on the outline 0.75 m from the left and 0.5 m above the bottom"))
+      << text;
   EXPECT_TRUE(holds(text, "for the first modes of the section, linear theory")) << text;
   definition.tank.diameter = 1;
   EXPECT_TRUE(holds(explanation(definition, {}),
