@@ -174,9 +174,11 @@ void add_show_command(const CommandTree& tree) {
   add_case_argument(command, options->case_name)->required();
   CLI::Option* output =
       command
-          .add_option("-o,--output", options->output,
-                      "The picture, .png or .svg, or a page of all, .html (default: such a page in "
-                      "build/shown, which $BROWSER or xdg-open then shows)")
+          .add_option(
+              "-o,--output", options->output,
+              fmt::format("The picture, .png or .svg, or a page of all, .html (default: such "
+                          "a page, {}, which $BROWSER or xdg-open then shows)",
+                          (tree.installation.build / "shown/CASE.html").string()))
           ->type_name(file_type);
   command
       .add_option("--quantity", options->quantity,
