@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace slosh::reference {
@@ -11,8 +12,9 @@ using Eigen::ArrayXd, Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 // The residual flux through the surface, relative to that of a liquid at rest in the earth's frame;
-// ten times the tolerance of Laplace's equation.
-constexpr double start_tolerance = 1e-10;
+// ten times the tolerance of Laplace's equation. A tank that is at rest to rounding has no such
+// flux: its share of the speed sqrt(g length) counts then.
+constexpr double start_tolerance = 1e-10, least_flux = 1e-14;
 constexpr int most_start_iterations = 1000;
 
 // Each returns a component of the tank's velocity, or acceleration, at all points of an array.
@@ -104,8 +106,10 @@ VectorXd FreeSurfaceFlow::potential_at_rest_in_tank(const VectorXd& elevation, d
   const ArrayXd weights = x().weights;
   ArrayXd search = residual;
   double error = (weights * residual * residual).sum();
-  const double first = error;
-  for (int iteration = 0; error > start_tolerance * start_tolerance * first; ++iteration) {
+  const double first = error, length = tank_.length,
+               allowed = std::max(start_tolerance * start_tolerance * first,
+                                  least_flux * least_flux * tank_.gravity * length * length);
+  for (int iteration = 0; error > allowed; ++iteration) {
     if (iteration == most_start_iterations) {
       throw NoLaplaceSolution(fmt::format(
           "no potential flow leaves the surface at rest in the tank (relative flux {:.1e})",
@@ -119,7 +123,7 @@ VectorXd FreeSurfaceFlow::potential_at_rest_in_tank(const VectorXd& elevation, d
     search = residual + next / error * search;
     error = next;
   }
-  return potential.array() - x().weights.dot(potential) / tank_.length;
+  return potential.array() - x().weights.dot(potential) / length;
 }
 
 FreeSurfaceFlow::Pressure FreeSurfaceFlow::pressure(const State& state, double t) {

@@ -40,5 +40,26 @@ TEST(NonlinearStart, StillEndsWhereTheGridDoesNotResolveTheSurface) {
   EXPECT_TRUE(record.times.empty());
 }
 
+// A surge with a phase of 90 degrees starts with a velocity of cos(pi / 2) = 6e-17 of its largest,
+// which is 0 but for rounding.
+TEST(NonlinearStart, OfAWaveInATankAtRestToRoundingIsThatOfOneAtRest) {
+  const Tank tank{.length = 0.5, .fill_depth = 0.4, .gravity = 9.81, .density = 1000};
+  std::vector<double> ends;
+  for (const double rounding : {3.9e-19, 0.0}) {
+    NonlinearSloshing surge{
+        .tank = tank, .motion = cosine_surge(8.5e-4, 7.47), .nodes_x = 32, .nodes_z = 14};
+    surge.start = Start::tank;
+    surge.initial_elevation = [](double x) {
+      return -0.012 * std::cos(std::numbers::pi * (x / 0.5 + 0.5));
+    };
+    const auto velocity = surge.motion.surge_velocity;
+    surge.motion.surge_velocity = [=](double t) { return velocity(t) + rounding; };
+    const auto record = run_nonlinear_potential_flow(surge, {.times = {0, 0.1}, .gauges = {0.25}});
+    ASSERT_EQ(record.left_range_because, "");
+    ends.push_back(record.elevation[0].back());
+  }
+  EXPECT_NEAR(ends[0], ends[1], 1e-12);
+}
+
 }  // namespace
 }  // namespace slosh::reference::nonlinear_start_test

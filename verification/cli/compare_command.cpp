@@ -60,11 +60,25 @@ bool has_series(const RunResult& result, const std::string& name) {
                      [&](const TimeSeries& one) { return one.name == name; });
 }
 
+// Whether `export` left it of a case, with a series of each theory, as "elevation@right/linear".
+bool has_theories(const RunResult& result) { return result.solver == "references"; }
+
+// The series of this name, or nullptr. Of a file of theories the first one of "elevation@right"
+// serves for it, and beside such a file the own "elevation@right" for each of them.
+const TimeSeries* found(const std::string& name, const RunResult& result, const RunResult& other) {
+  if (has_series(result, name)) return &result.at(name);
+  const std::string quantity = name.substr(0, name.rfind('/'));
+  if (has_theories(other) && has_series(result, quantity)) return &result.at(quantity);
+  if (!has_theories(result)) return nullptr;
+  const auto one = std::ranges::find_if(
+      result.series, [&](const TimeSeries& of) { return of.name.starts_with(name + "/"); });
+  return one == result.series.end() ? nullptr : &*one;
+}
+
 std::vector<std::string> common_series(const RunResult& candidate, const RunResult& reference) {
   std::vector<std::string> names;
   for (const TimeSeries& one : candidate.series)
-    for (const TimeSeries& other : reference.series)
-      if (one.name == other.name) names.push_back(one.name);
+    if (found(one.name, reference, candidate)) names.push_back(one.name);
   return names;
 }
 
@@ -82,13 +96,11 @@ std::string compared_quantity(const CompareOptions& options, const RunResult& ca
 }
 
 // Throws ResultError with the nearest names if the result has no such series.
-const TimeSeries& series_of(const RunResult& result, const std::filesystem::path& file,
-                            const std::string& quantity) {
+const TimeSeries& series_of(const std::string& quantity, const RunResult& result,
+                            const RunResult& other, const std::filesystem::path& file) {
+  if (const TimeSeries* one = found(quantity, result, other)) return *one;
   std::vector<std::string> names;
-  for (const TimeSeries& one : result.series) {
-    if (one.name == quantity) return one;
-    names.push_back(one.name);
-  }
+  for (const TimeSeries& one : result.series) names.push_back(one.name);
   throw ResultError(fmt::format("{}: no series {}; nearest: {}", file.string(), quantity,
                                 fmt::join(nearest_names(quantity, names, 3), ", ")));
 }
@@ -265,6 +277,22 @@ RunResult theory_of(const CaseDefinition& definition) {
   return result;
 }
 
+// A file with the theory of several that serves.
+std::string named(const std::filesystem::path& file, const TimeSeries& series,
+                  const std::string& quantity) {
+  return file.string() + (series.name == quantity ? "" : " (" + series.name + ")");
+}
+
+// Of a theory that `export` left.
+void add_range_doubt(const RunResult& reference, const std::string& series,
+                     Comparison& comparison) {
+  const std::string theory = series.substr(series.rfind('/') + 1);
+  const auto outside = reference.provenance.find(theory + "_outside_its_range");
+  if (outside != reference.provenance.end())
+    comparison.doubts.push_back(
+        fmt::format("{} is outside its range: it {}", theory, outside->second));
+}
+
 struct ComparedFiles {
   Comparison comparison;
   std::string impacts;  // impact_lines(), of a case whose impacts are in the quantity
@@ -280,8 +308,8 @@ ComparedFiles compared(const CompareOptions& options, const Installation& instal
   const RunResult reference =
       options.reference.empty() ? theory_of(*definition) : named_result(options.reference);
   const std::string quantity = compared_quantity(options, candidate, reference);
-  const TimeSeries& of_candidate = series_of(candidate, options.candidate, quantity);
-  const TimeSeries& of_reference = series_of(reference, options.reference, quantity);
+  const TimeSeries &of_candidate = series_of(quantity, candidate, reference, options.candidate),
+                   &of_reference = series_of(quantity, reference, candidate, options.reference);
   const TimeWindow window = window_of(options, definition, of_candidate, of_reference);
   const std::vector<ToneRequest> modes = modes_to_fit(options, definition, quantity);
   PreparedSeries prepared("reference", of_reference, window, modes);
@@ -294,9 +322,11 @@ ComparedFiles compared(const CompareOptions& options, const Installation& instal
             soundness_doubts(*result, window, !definition || definition->gravity > 0);
         !unsound.empty())
       comparison.doubts.push_back(fmt::format("the {} is not sound: {}", role, unsound));
-  comparison.candidate = options.candidate.string();
-  comparison.reference =
-      options.reference.empty() ? reference.run_name : options.reference.string();
+  add_range_doubt(reference, of_reference.name, comparison);
+  comparison.candidate = named(options.candidate, of_candidate, quantity);
+  comparison.reference = options.reference.empty()
+                             ? reference.run_name
+                             : named(options.reference, of_reference, quantity);
   return {std::move(comparison), definition && has_impacts(*definition, quantity)
                                      ? impact_lines(*definition, of_candidate, of_reference)
                                      : ""};

@@ -172,8 +172,8 @@ void add_show_command(const CommandTree& tree) {
   add_case_argument(command, options.case_name)->required();
   CLI::Option* output =
       add_option(command, "-o,--output", options.output, file_type,
-                 "The picture, .png or .svg, or a page of all, .html (default: such a page in "
-                 "build/shown, which $BROWSER or xdg-open then shows)");
+                 "The picture, .png or .svg, or a page of all, .html (default: such a page, "
+                 "shown/CASE.html beside the store, which $BROWSER or xdg-open then shows)");
   command
       .add_option("--quantity", options.quantity,
                   "What the picture is of, as elevation@right (default: the first that the case "

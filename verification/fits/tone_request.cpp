@@ -17,8 +17,9 @@ void require_resolved(TimeWindow window, const std::vector<ToneRequest>& request
     const double needed = 2 * pi / std::abs(difference);
     if (!(length > needed)) {
       throw ComparisonError(
-          fmt::format("the window of {:.4g} s cannot resolve {}; needed: more than {:.4g} s",
-                      length, which, needed));
+          fmt::format("the window of {:.4g} s cannot resolve {}; {}", length, which,
+                      std::isfinite(needed) ? fmt::format("needed: more than {:.4g} s", needed)
+                                            : "no window can"));
     }
   };
   const auto describe = [](const ToneRequest& tone) {

@@ -16,9 +16,18 @@ double mean(const std::vector<double>& values) {
 }
 
 double rms(const std::vector<double>& values) {
-  double squares = 0;
-  for (const double value : values) squares += value * value;
-  return std::sqrt(squares / static_cast<double>(values.size()));
+  constexpr double least = 1e-250, most = 1e250;  // beyond them squares are lost
+  const auto mean_square = [&](double scale) {
+    double squares = 0;
+    for (const double value : values) squares += (value / scale) * (value / scale);
+    return squares / static_cast<double>(values.size());
+  };
+  const double whole = mean_square(1);
+  if (whole >= least && whole <= most) return std::sqrt(whole);
+  double scale = 0;
+  for (const double value : values) scale = std::max(scale, std::abs(value));
+  return scale > 0 && std::isfinite(scale) ? scale * std::sqrt(mean_square(scale))
+                                           : std::sqrt(whole);
 }
 
 double median(std::vector<double> values) {

@@ -102,7 +102,8 @@ std::vector<double> departures_from_neighbours(const TimeSeries& series) {
 
 bool is_constant(const TimeSeries& series) {
   const auto [low, high] = std::minmax_element(series.value.begin(), series.value.end());
-  const double rounding = 1e-12 * std::max(std::abs(*low), std::abs(*high));
+  constexpr double least = 1e-150;  // the squares of less are 0
+  const double rounding = std::max(least, 1e-12 * std::max(std::abs(*low), std::abs(*high)));
   return !(*high - *low > rounding);
 }
 

@@ -85,12 +85,33 @@ TEST_F(ToolExport, LeavesTheTheoriesOfACaseWithTheirRangesAndNoOtherRun) {
   EXPECT_TRUE(truth.provenance.contains("theory_uncertainty"));
 }
 
+TEST_F(ToolExport, LeavesTheoriesThatCompareReads) {
+  ASSERT_EQ(tool({"export", "./small.toml", "-o", "truth.h5"}).status, 0);
+  ASSERT_EQ(run("theory").status, 0);
+  for (const std::vector<std::string>& files :
+       {std::vector<std::string>{"theory.h5", "truth.h5"}, {"truth.h5", "theory.h5"}})
+    for (const std::vector<std::string>& of :
+         {std::vector<std::string>{"--gauge", "right"}, {"--quantity", "elevation@right/theory"}}) {
+      const Ended ended = tool({"compare", files[0], files[1], of[0], of[1], "--case",
+                                "./small.toml", "--limit", "normalised_rms=0.001"});
+      EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+      EXPECT_TRUE(of[0] == "--quantity" || holds(ended.out, "truth.h5 (elevation@right/theory)"))
+          << ended.out;
+    }
+  EXPECT_EQ(tool({"compare", "theory.h5", "truth.h5", "--gauge", "left"}).status, 4);
+  EXPECT_EQ(tool({"compare", "theory.h5", "theory.h5", "--quantity", "elevation@right/x"}).status,
+            4);
+}
+
 TEST_F(ToolExport, LeavesATheoryOutsideItsRangeAndSaysSo) {
   write_campaign(with(particles_case, "valid_elevation_over_depth = 0.2",
                       "valid_elevation_over_depth = 0.001"));
   const Ended ended = tool({"export", "./small.toml", "-o", "truth.csv"});
   EXPECT_EQ(ended.status, 4);
   EXPECT_TRUE(holds(ended.err, "theory is outside its range: it predicts an elevation of "));
+  EXPECT_EQ(tool({"export", "./small.toml", "-o", "truth.h5"}).status, 4);
+  EXPECT_TRUE(holds(tool({"compare", "truth.h5", "truth.h5", "--gauge", "right"}).out,
+                    "doubtful: theory is outside its range: it predicts"));
   EXPECT_TRUE(holds(read("truth.csv"), "# theory is outside its range: it predicts"));
 }
 
@@ -108,6 +129,8 @@ TEST_F(ToolExport, ShowsTheHistoriesThatAreThereAndTellsHowToComputeTheOthers) {
   ASSERT_EQ(run("theory").status, 0);
   const Ended shown = tool({"show", "./small.toml"}, browser());
   EXPECT_EQ(shown.status, 0) << shown.err;
+  const std::string help = tool({"show", "--help"}).out, place = read("shown");
+  EXPECT_TRUE(holds(help, place.substr(0, place.rfind("small.html")) + "CASE.html")) << help;
   EXPECT_TRUE(holds(shown.err, "particles is not there: `./slosh run "));
   EXPECT_TRUE(holds(shown.err, "small.toml' particles` computes it"));
   const std::string page = read(lines_of(read("shown")).at(0));

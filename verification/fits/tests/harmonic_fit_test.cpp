@@ -153,7 +153,7 @@ TEST(HarmonicFit, RefusesAWindowThatCannotResolveTheTones) {
   EXPECT_NE(error_of(series, {0, 4}, both),
             "");  // less than one forced period: not resolved from the mean
   EXPECT_EQ(error_of(series, {0, 5}, both), "");
-  EXPECT_NE(error_of(series, {0, 20}, {both[1], both[1]}), "");
+  EXPECT_TRUE(holds(error_of(series, {0, 20}, {both[1], both[1]}), "; no window can"));
   EXPECT_NE(error_of(series, {0, 20}, {{"forced", std::nan(""), false}}), "");
 }
 

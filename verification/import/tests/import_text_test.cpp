@@ -150,6 +150,15 @@ TEST(ImportText, IsRefusedWithTheReasonInEachOfTheseForms) {
       {start + "1.5;-1e20\n", "a.csv:5: p = -1e20: expected a value and not a mark of none"},
       {start + "1.5;1E+30\n", "a.csv:5: p = 1E+30: expected a value and not a mark of none"},
       {head + "0;-999\n1;-999\n2;-999\n3;-999\n", "a.csv:2: p = -999: expected a value and not"},
+      {start + "1.5;-99\n", "a.csv:5: p = -99: expected a value and not a mark of none, in kPa"},
+      {start + "1.5;-99.99\n", "a.csv:5: p = -99.99: expected a value and not a mark of none"},
+      {start + "1.5;999.9\n", "a.csv:5: p = 999.9: expected a value and not a mark of none"},
+      {start + "1.5;-32768\n", "a.csv:5: p = -32768: expected a value and not a mark of none"},
+      {start + "1.5;32767\n", "a.csv:5: p = 32767: expected a value and not a mark of none"},
+      {start + "1.5;65535\n", "a.csv:5: p = 65535: expected a value and not a mark of none"},
+      {head + "0;0\n1;-99\n2;0\n3;0\n", "a.csv:3: p = -99: expected a value and not a mark"},
+      {head + "0;-30\n1;-99\n2;30\n3;-99\n", "a.csv:3: p = -99: expected a value and not a mark"},
+      {start + "1.5;-900\n2;4\n3;-900\n", "a.csv:5: p = -900: expected a value and not a mark"},
       {start + "0.7;4\n", "a.csv:5: t = 0.7: expected a number above the last row's 1, in s"},
       {"# t p\n0 1\n# t q\n1 2\n",
        "a.csv:3: head = # t q: expected the head of line 1 again: the columns must stay the same",
@@ -184,7 +193,16 @@ TEST(ImportText, IsRefusedWithTheReasonInEachOfTheseForms) {
 
 // A signal may pass through the number.
 TEST(ImportText, HasNoMarkOfNoneWhereTheSeriesComesNearIt) {
-  EXPECT_EQ(complaint_of("t [s];p [Pa]\n0;-500\n1;-999\n2;-1400\n3;0\n", as_it_is), "");
+  for (const char* values : {"-500 -999 -1400 0", "0 99 12 -120", "40 99 -40 99", "1 -900 2 3",
+                             "0 0 2000 2100", "32767 32767 32000 20000",
+                             "100000 100000 103000 103100", "-9.99 -9.99 0.1 0.2", "30 30 30 31"}) {
+    std::string rows;
+    std::istringstream numbers(values);
+    std::string number;
+    for (int time = 0; numbers >> number; ++time)
+      rows += std::to_string(time) + ";" + number + "\n";
+    EXPECT_EQ(complaint_of("t [s];p [Pa]\n" + rows, as_it_is), "") << values;
+  }
 }
 
 TEST(ImportText, OfAMotionOrARecordIsReadAlike) {

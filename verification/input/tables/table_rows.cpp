@@ -5,21 +5,58 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace slosh {
 namespace {
-
-constexpr std::array<double, 3> likely_marks{999, 9999, 99999};
 
 std::string_view first_word(std::string_view line) {
   line = without_comment_mark(line);
   return line.substr(0, line.find_first_of(" \t;,"));
 }
 
-bool stands_alone(double mark, const std::vector<double>& values) {
-  return std::all_of(values.begin(), values.end(), [mark](double value) {
-    return value == mark || std::abs(value - mark) > std::abs(mark) / 2;
-  });
+// What one value stands apart from all others by.
+struct Standing {
+  std::size_t count = 0;  // of samples that have it
+  double nearest = std::numeric_limits<double>::infinity(), lowest = nearest, highest = -nearest;
+};
+
+Standing standing_of(double mark, const std::vector<double>& values) {
+  Standing of;
+  for (const double value : values) {
+    if (value == mark) {
+      ++of.count;
+      continue;
+    }
+    of.nearest = std::min(of.nearest, std::abs(value - mark));
+    of.lowest = std::min(of.lowest, value);
+    of.highest = std::max(of.highest, value);
+  }
+  return of;
+}
+
+// 1000 for 999, 999.9 and 999.99; 0 for a number of other digits.
+double end_of_nines(double size) {
+  for (double end = 100; end <= 1e9; end *= 10)
+    for (double last = 1; last > 1e-4; last /= 10)
+      if (std::abs(size - (end - last)) < 1e-12 * end) return end;
+  return 0;
+}
+
+// Programs and loggers write nines, or the least or largest number of an integer. Two nines are a
+// value too, unless they stand apart from all others by more than these do from one another. So is
+// any other whole number, unless it comes more than once and stands apart by ten times as much.
+bool is_mark(double value, const std::vector<double>& values) {
+  static constexpr std::array<double, 6> of_integers{32767,      32768,      65535,
+                                                     2147483647, 2147483648, 4294967295};
+  const double size = std::abs(value), nines = end_of_nines(size);
+  const bool is_whole = size >= 9 && value == std::round(value);
+  if (!is_whole && nines == 0) return false;
+  const Standing of = standing_of(value, values);
+  if (!(of.nearest > size / 2)) return false;
+  if (nines > 100 || std::ranges::count(of_integers, size) > 0) return true;
+  const double apart = of.nearest / (of.highest - of.lowest);
+  return (nines == 100 && apart > 1) || (of.count > 1 && apart > 10 && std::isfinite(apart));
 }
 
 double sum_of(const TableReader& reader, const std::vector<std::string_view>& fields,
@@ -101,11 +138,13 @@ std::vector<TableSegment> read_segments(TableReader& reader, const TableHead& he
 std::optional<std::size_t> first_mark_of_none(const std::vector<double>& values) {
   auto first = std::find_if(values.begin(), values.end(),
                             [](double value) { return !(std::abs(value) < least_mark_of_none); });
-  for (const double magnitude : likely_marks)
-    for (const double mark : {-magnitude, magnitude})
-      if (const auto found = std::find(values.begin(), first, mark);
-          found != first && stands_alone(mark, values))
-        first = found;
+  if (first == values.end() && !values.empty()) {
+    // A mark is the lowest or the highest value.
+    const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+    for (const double extreme : {*lowest, *highest})
+      if (is_mark(extreme, values))
+        first = std::min(first, std::find(values.begin(), first, extreme));
+  }
   if (first == values.end()) return std::nullopt;
   return static_cast<std::size_t>(first - values.begin());
 }

@@ -52,7 +52,9 @@ std::vector<TableSegment> read_segments(TableReader& reader, const TableHead& he
 // Programs write a missing value as 1e20, 1e30, 1e300 (OpenFOAM) or the largest number of a type.
 inline constexpr double least_mark_of_none = 1e20;
 // Returns the index of the first value that stands for none: its magnitude is that or more, or it
-// is -999 or its like (999, 9999, 99999) and no other value comes within half of it.
+// is the lowest or the highest, a whole number of 9 or more as -999 or 65535, and no other comes
+// within half of it. One that no program is known to write as a mark, as -9000, has to come twice
+// and to stand apart from all others by ten times what these do from one another.
 std::optional<std::size_t> first_mark_of_none(const std::vector<double>& values);
 // What a value must be that first_mark_of_none() does not name.
 inline constexpr const char* no_mark_of_none = "a value and not a mark of none";

@@ -305,6 +305,8 @@ TEST(Comparison, RefusesWhatCannotBeCompared) {
   EXPECT_NE(error_of(sampled(wave, 30, 50), reference), "");
   const auto still = sampled([](double) { return 0.35; }, 0, 20);
   EXPECT_TRUE(holds(error_of(still, reference), "constant"));
+  const auto vanishing = sampled([](double t) { return 1e-200 * wave(t); }, 0, 20);
+  EXPECT_TRUE(holds(error_of(vanishing, reference), "constant"));
   EXPECT_NE(error_of(reference, reference, {0, 3}), "");
 }
 

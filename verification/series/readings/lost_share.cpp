@@ -64,7 +64,8 @@ std::optional<double> growth_of_departures(const TimeSeries& series) {
   if (lengths.size() < fewest_judged_waves || count < fewest_judged) return std::nullopt;
   const double far_mean = (crest.sum + trough.sum) / far_eighth.count;
   const double white = far_eighth.mean() / far_mean;
-  const double growth = std::min(crest.mean(), trough.mean()) / near.mean();
+  // Near the mean they may be on a line; then a large number is told, and no infinity.
+  const double growth = std::min(std::min(crest.mean(), trough.mean()) / near.mean(), 100.0);
   const bool is_told = median(lengths) >= usual_wave &&
                        median(far) >= least_departure * rms(value) && white >= least_white &&
                        white <= most_white && far_eighth.count >= least_far * near.count &&

@@ -22,6 +22,8 @@ TEST(SampleMoments, AreThoseOfASampleByHand) {
   EXPECT_DOUBLE_EQ(mean(values), 3);
   EXPECT_DOUBLE_EQ(rms(values), std::sqrt(41.0 / 3));
   EXPECT_DOUBLE_EQ(rms(without_mean(values)), std::sqrt(14.0 / 3));
+  for (const double size : {1e-200, 1e200})  // whose squares are lost
+    EXPECT_DOUBLE_EQ(rms({size, 2 * size, 6 * size}) / size, std::sqrt(41.0 / 3));
 }
 
 TEST(SampleMoments, LeaveASampleWithoutItsMeanOrAnother) {

@@ -251,7 +251,14 @@ TEST(SensorLimits, FindSignalsThatAlternate) {
       const auto alternating = [&](double t) {
         return turn[i++ % turn.size()] * wave(t) + noise * normal(generator);
       };
-      EXPECT_TRUE(limits_of_all(sampled(alternating, 0, 20, 0.02)).roughness) << turn.size();
+      const TimeSeries rough = sampled(alternating, 0, 20, 0.02);
+      const auto told = limits_of_all(rough).roughness;
+      ASSERT_TRUE(told) << turn.size();
+      for (const double size : {1e-200, 1e200}) {
+        TimeSeries scaled = rough;
+        for (double& value : scaled.value) value *= size;
+        EXPECT_NEAR(limits_of_all(scaled).roughness.value_or(0), *told, 1e-9) << size;
+      }
       const auto noisy = [&](double t) { return wave(t) + 4 * noise * normal(generator); };
       EXPECT_FALSE(limits_of_all(sampled(noisy, 0, 20, 0.02)).roughness) << noise;
     }
