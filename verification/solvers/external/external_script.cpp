@@ -6,11 +6,11 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <set>
 #include <string>
 #include <string_view>
 
 #include "verification/input/input_files.hpp"
-#include "verification/solvers/external/script_words.hpp"
 #include "verification/solvers/external/shared_libraries.hpp"
 #include "verification/solvers/external_command.hpp"
 
@@ -51,6 +51,27 @@ bool has_input(const ExternalRun& external, const fs::path& directory) {
   });
 }
 
+bool is_of_word(char letter) {
+  return std::isalnum(static_cast<unsigned char>(letter)) ||
+         std::string_view("_./-+").find(letter) != std::string_view::npos;
+}
+
+// Each word once, without comments; a word without a letter is a number.
+std::set<std::string> words_of(const std::string& text) {
+  constexpr std::string_view blanks = " \t\n";
+  std::set<std::string> words;
+  for (auto at = text.begin(); at != text.end();) {
+    if (*at == '#' && (at == text.begin() || blanks.find(at[-1]) != blanks.npos))
+      at = std::find(at, text.end(), '\n');
+    const auto end = std::find_if_not(at, text.end(), is_of_word);
+    const std::string word(at, end);
+    if (std::any_of(word.begin(), word.end(), [](unsigned char c) { return std::isalpha(c); }))
+      words.insert(word);
+    at = end == text.end() ? end : end + 1;
+  }
+  return words;
+}
+
 // Empty for a file that is no text.
 std::string text_of(const fs::path& file) {
   constexpr std::size_t most = 1'000'000;
@@ -72,34 +93,38 @@ void add_files(const std::vector<fs::path>& paths, const std::vector<fs::path>& 
     }
 }
 
-// Of a word that names a file; behind a variable that stands for a directory too ("$HERE/solve").
-std::vector<fs::path> meanings(const std::string& word) {
+// The suffix of the modules that a script loads by their bare names; empty for other files.
+std::string module_suffix(const fs::path& text) {
+  static constexpr std::array<std::string_view, 6> suffixes{".py",  ".m",  ".rb",
+                                                            ".lua", ".js", ".pl"};
+  const std::string own = text.extension().string();
+  return std::ranges::count(suffixes, own) > 0 ? own : "";
+}
+
+std::vector<fs::path> meanings(const std::string& word, const std::string& suffix) {
   std::vector<fs::path> paths{word};
   if (const std::size_t slash = word.find('/'); slash != word.npos)
     paths.push_back(word.substr(slash + 1));
-  return paths;
-}
-
-// mine.py, mine/__init__.py, mine/fast.py and mine/fast/__init__.py for `mine.fast` in Python.
-std::vector<fs::path> meanings_of_module(std::string module, const std::string& suffix) {
-  std::vector<fs::path> paths;
-  module.erase(0, module.find_first_not_of("./"));
+  const std::size_t begin = word.find_first_not_of("./");
+  if (suffix.empty() || begin == word.npos) return paths;
+  std::string module = word.substr(begin);
   std::replace(module.begin(), module.end(), '.', '/');
   for (fs::path part = module; !part.empty(); part = part.parent_path())
     for (const char* inside : {"", "/__init__"}) paths.push_back(part.string() + inside + suffix);
   return paths;
 }
 
-// Returns the regular files that a text names (script_words.hpp), relative to one of these
-// directories or whole. Only the first 1e6 bytes are read, and of a file that is no text nothing.
-// Files of the system are left out (shared_libraries.hpp).
+// Returns the regular files that the words of a text name, relative to one of these directories or
+// whole; behind a variable that stands for a directory too ("$HERE/solve"). A word of a script also
+// names a module: mine.py, mine/__init__.py or mine/fast.py of a script in Python that says `mine`
+// or `mine.fast`. What stands behind a # is a comment. Only the first 1e6 bytes are read, and of a
+// file that is no text nothing. Files of the system are left out (shared_libraries.hpp).
 std::vector<fs::path> files_named_in(const fs::path& text,
                                      const std::vector<fs::path>& directories) {
   std::vector<fs::path> files;
-  const ScriptWords words = words_of_script(text, text_of(text));
-  for (const std::string& word : words.files) add_files(meanings(word), directories, files);
-  for (const std::string& module : words.modules)
-    add_files(meanings_of_module(module, words.suffix), directories, files);
+  const std::string suffix = module_suffix(text);
+  for (const std::string& word : words_of(text_of(text)))
+    add_files(meanings(word, suffix), directories, files);
   return files;
 }
 

@@ -118,50 +118,6 @@ TEST_F(UnlistedScript, IsNoneOfAScriptThatStandsForItself) {
   }
 }
 
-// A file of the name of a variable, of a word in a comment or of a name within another one.
-TEST_F(UnlistedScript, IsNoneThatOnlyAVariableOrACommentIsNamedAs) {
-  std::filesystem::create_directories(directory_.path() / "pack");
-  for (const char* file : {"mine.py", "rates.py", "key.rb", "rates.lua", "rates.js", "rates.m",
-                           "table", "pack/rates.py"})
-    write(file, "");
-  const std::vector<std::pair<std::string, std::string>> texts{
-      {"gen.py", "rates = 1\ntable = rates * numpy.mine\n"},
-      {"gen.py", "import numpy as mine, sys as rates\nfrom numpy import k as mine\n"},
-      {"gen.py", "print('mine and its rates')\nx = {'mine': 1, \"rates\": mine}\n"},
-      {"gen.py", "def f():\n  \"\"\"import mine\n  from rates import k, \"mine.py\".\n  \"\"\"\n"},
-      {"gen.py", "s = 'it\\'s # no comment'  # import mine\nimport sys  # from rates\n"},
-      {"gen.py", "'''\nimport mine and a table\n'''\nimportant, mine = 1, 2\n"},
-      {"gen.py", "import sys;k = 1 ; x = lambda mine: rates\n"},
-      {"gen.rb", "key = 1 # require 'key'\nputs 'key it'\n"},
-      {"gen.lua", "local rates = 1 -- require 'rates'\n"},
-      {"gen.js", "const k = 1; /* require('rates')\n */ // import 'rates'\n"},
-      {"gen.m", "rates = 2; % rates(3) is not called\n"},
-      {"gen.sh", "table=2; for table in 1 2; do ./k $table ${table}; done # table\n"}};
-  for (const auto& [file, text] : texts) {
-    write(file.c_str(), text.c_str());
-    EXPECT_EQ(script({"python3", file}, {directory_.path() / file}), "") << text;
-  }
-  const std::vector<std::array<std::string, 3>> imports{
-      {"gen.py", "import sys; import numpy, mine as m\n", "mine.py"},
-      {"gen.py", "try: import mine\nexcept ImportError: pass\n", "mine.py"},
-      {"gen.py", "from numpy import k\nfrom pack import (k,\n   rates as r)\n", "pack/rates.py"},
-      {"gen.py", "import sys, \\\n  mine\n", "mine.py"},
-      {"gen.py", "s = 'it\\'s'\nm = importlib.import_module(\n  \"mine\")\n", "mine.py"},
-      {"gen.py", "m = __import__('pack.rates')\n", "pack/rates.py"},
-      {"gen.py", "\"\"\"It's a text.\"\"\"\nfrom . import mine\n", "mine.py"},
-      {"gen", "#!/usr/bin/env python3\nimport mine\n", "mine.py"},
-      {"gen.rb", "k = \"it's\"; require_relative 'key'\n", "key.rb"},
-      {"gen.lua", "local r = require(\"rates\")\n", "rates.lua"},
-      {"gen.js", "import k from './rates'\n", "rates.js"},
-      {"gen.m", "k = 2 * rates(3); % a call\n", "rates.m"},
-      {"gen.sh", "table=2; . ./mine.py\n", "mine.py"},
-      {"gen.sh", "echo \"a # b\" | ./table\n", "table"}};
-  for (const auto& [file, text, named] : imports) {
-    write(file.c_str(), text.c_str());
-    EXPECT_EQ(script({"python3", file}, {directory_.path() / file}), named) << text;
-  }
-}
-
 TEST_F(UnlistedScript, IsAFileThatAnArgumentNamesInPart) {
   const std::vector<std::filesystem::path> inputs{directory_.path() / "solve"};
   for (const char* file : {"Tank.xml", "rates.txt", "mine.py"}) write(file, "1");
