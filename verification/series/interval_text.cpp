@@ -39,7 +39,7 @@ double round_to_place(double value, int place) {
 
 std::string three_digits(double value) {
   const double size = std::abs(value);
-  const bool is_long = size >= 1000 && size < 1e7;
+  const bool is_long = size >= 999.5 && size < 1e7;
   return is_long ? fmt::format("{:.0f}", round_to_place(value, exponent_of(size) - 2))
                  : fmt::format("{:.3g}", 0.0 + value);  // no negative zero
 }

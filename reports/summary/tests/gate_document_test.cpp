@@ -124,7 +124,7 @@ TEST(GateDocument, TellsOfRunsThatAreNotSoundBelowItsHeadlineAndInTheirSuite) {
   };
   EXPECT_EQ(doubt(), "");
   gate.basis = "7 rows.";
-  gate.doubts["surge & roll"] = "doubtful: surge & roll: sph is not sound";
+  gate.doubts["surge & roll"] = {"doubtful: surge & roll: sph is not sound"};
   EXPECT_EQ(doubt(), "doubtful: surge & roll: sph is not sound");
   const std::string text = gate_markdown(gate);
   const std::size_t at = text.find("\ndoubtful: surge &amp; roll: sph is not sound\n");

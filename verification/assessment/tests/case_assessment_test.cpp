@@ -387,5 +387,58 @@ TEST(FittedModes, HaveNoForcingWhereAMotionHasNoFrequency) {
   EXPECT_EQ(modes[0].name, "natural_1");
 }
 
+TEST(CaseAssessment, DoubtsAModeThatPassesWhereTheRestOfTheSeriesDeparts) {
+  CaseDefinition definition = surge_case();
+  definition.gate.resize(1);  // the amplitude of the forced wave
+  CaseRuns runs = surge_runs();
+  TimeSeries other_start = elevation_of({});
+  for (std::size_t i = 0; i < other_start.time.size(); ++i)
+    other_start.value[i] += 0.01 * std::sin(4.94488 * other_start.time[i]);
+  runs.results["particles"] = result_of("particles", other_start);
+  const CaseAssessment assessment = assess(definition, runs);
+  EXPECT_EQ(assessment.gate[0].verdict, Verdict::pass) << assessment.gate[0].message;
+  EXPECT_TRUE(assessment.gate[0].is_doubtful);
+  ASSERT_EQ(assessment.doubts.size(), 1u);
+  EXPECT_TRUE(
+      assessment.doubts[0].starts_with("doubtful: small_surge: particles departs from theory by "))
+      << assessment.doubts[0];
+  definition.gate.push_back(surge_row("whole", Metric::normalised_rms, "1", 0.2));
+  EXPECT_EQ(assess(definition, runs).doubts, std::vector<std::string>{}) << "that row fails";
+  definition.gate.resize(1);
+  EXPECT_EQ(assess(definition, surge_runs()).doubts, std::vector<std::string>{});
+}
+
+TEST(CaseAssessment, DoubtsALoadWithoutAReferenceBeyondALimitOfTheModels) {
+  CaseDefinition definition = surge_case();
+  GateRow row = surge_row("whole", Metric::largest_magnitude, "m", 0.1);
+  row.reference.clear();
+  definition.gate = {row};
+  EXPECT_EQ(assess(definition, surge_runs()).doubts, std::vector<std::string>{});
+  definition.gas.density = 870;
+  const CaseAssessment under_oil = assess(definition, surge_runs());
+  ASSERT_EQ(under_oil.doubts.size(), 1u);
+  EXPECT_TRUE(under_oil.doubts[0].starts_with(
+      "doubtful: small_surge: beyond the limit of the models: the gas above the liquid"))
+      << under_oil.doubts[0];
+  EXPECT_TRUE(under_oil.gate[0].message.ends_with(
+      "; doubtful: beyond a limit of the models, and without a reference"))
+      << under_oil.gate[0].message;
+  EXPECT_TRUE(under_oil.gate[0].is_doubtful);
+}
+
+TEST(CaseAssessment, TellsWhereAFrequencyIsMeasuredAndWhatLinearTheoryHas) {
+  CaseDefinition definition = surge_case();
+  GateRow row = surge_row("natural_1", Metric::frequency, "Hz", 0);
+  row.reference.clear();
+  row.limit.reset();
+  row.between = {0.7851, 0.7891};
+  definition.gate = {row};
+  const std::string message = assess(definition, surge_runs()).gate.at(0).message;
+  EXPECT_NE(message.find(" Hz within 0.7851 Hz to 0.7891 Hz; over 1 to 20 s; linear theory has "
+                         "0.787 Hz"),
+            std::string::npos)
+      << message;
+}
+
 }  // namespace
 }  // namespace slosh::case_assessment_test

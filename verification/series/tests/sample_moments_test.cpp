@@ -186,6 +186,15 @@ TEST(IntervalText, EndsTheValueWhereItsIntervalEnds) {
   EXPECT_EQ(interval_text({5.62, 4.73}), "6 ± 5");
 }
 
+TEST(IntervalText, WritesLongValuesWithoutAPowerOfTen) {
+  EXPECT_EQ(interval_text({158312, 0}), "158000");
+  EXPECT_EQ(three_digits(-1234.5), "-1230");
+  EXPECT_EQ(three_digits(999.6), "1000");
+  EXPECT_EQ(three_digits(1.23456e7), "1.23e+07");
+  EXPECT_EQ(three_digits(0.00153), "0.00153");
+  EXPECT_EQ(three_digits(-0.0), "0");
+}
+
 TEST(IntervalText, HasNoNegativeZero) {
   EXPECT_EQ(interval_text({-0.00179, 0.34}), "0.00 ± 0.34");
   EXPECT_EQ(interval_text({-0.0, 0}), "0");
