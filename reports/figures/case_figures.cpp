@@ -61,7 +61,8 @@ std::pair<double, double> shown_times(const CaseDefinition& definition) {
 
 std::string legend_text(const RunDefinition& run) {
   if (!is_simulation(run)) return "reference";
-  return is_mesh(run) ? family(run) + " (VOF)" : "SPH " + family(run);
+  if (is_mesh(run)) return family(run) + " (VOF)";
+  return std::holds_alternative<SphRun>(run.solver) ? "SPH " + family(run) : run.name;
 }
 
 // The runs that are shown, the reference first.

@@ -61,6 +61,13 @@ std::string coverage_text(const std::vector<CaseCoverage>& covered) {
                          : fmt::format("; those of {} miss some", fmt::join(incomplete, ", ")));
 }
 
+// A row that does not pass detects nothing more, so that only rows that pass show what they miss.
+bool all_pass(const CaseAssessment& assessment) {
+  return std::ranges::none_of(assessment.gate, [](const GateOutcome& outcome) {
+    return is_judged(outcome.verdict) && outcome.verdict != Verdict::pass;
+  });
+}
+
 std::string missed_text(const CaseCoverage& covered) {
   const std::vector<std::string> missed = covered.missed();
   return missed.empty() ? ""
@@ -79,7 +86,7 @@ reports::Page page_of(const CaseAssessment& assessment, const CaseCoverage& cove
   const std::string& name = assessment.definition.name;
   reports::Page page{case_id(name), assessment.definition.title, "", {}};
   page.glance = glance_figure(assessment, worst_candidate(assessment));
-  page.remark = missed_text(coverage);
+  if (all_pass(assessment)) page.remark = missed_text(coverage);
   page.doubts = assessment.doubts;
   std::erase_if(lines, [&](const auto& line) { return line.section != case_id(name) + "-gate"; });
   const std::vector<CaseAssessment> alone{assessment};
@@ -173,7 +180,7 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
   std::vector<std::string> sentences{
       verdict + coverage_sentence(cases), basis_sentence(cases, problems),
       cost_sentence(cases, problems),
-      fmt::format("Repeat this campaign with `{}`. {}.", command, campaign.source)};
+      fmt::format("Repeat this campaign with `{}`. Source: {}.", command, campaign.source)};
   std::erase(sentences, "");
   report.sections =
       summary_sections(cases, problems, lines, fmt::format("{}", fmt::join(sentences, " ")));
@@ -188,7 +195,7 @@ reports::Report campaign_report(const CampaignDefinition& campaign, bool quick,
     std::ranges::copy(report.pages.back().doubts, std::back_inserter(report.doubts));
     report.pages.push_back(appendix_page(cases[i].definition));
     std::ranges::move(ready[i].sections, std::back_inserter(report.sections));
-    covered.push_back(std::move(ready[i].coverage));
+    if (all_pass(cases[i])) covered.push_back(std::move(ready[i].coverage));
   }
   report.coverage = coverage_text(covered);
   const std::size_t before_problems = report.sections.size();

@@ -21,11 +21,13 @@ namespace fs = std::filesystem;
 namespace process = boost::process;
 
 // Shows a page in a frame of a phone's width and in one of a desktop's, and writes the measurements
-// as text half a second (of the page's clock) after it is loaded. Contrasts are those of WCAG 2.1,
-// against the page's own background.
+// as text 60 frames after both are loaded. A third frame, whose document is open until then, keeps
+// this page from being loaded before. Contrasts are those of WCAG 2.1, against the page's own
+// background.
 constexpr const char* measuring_page = R"(<!DOCTYPE html><title>measure</title>
-<iframe src="PAGE" style="width:390px;height:844px;border:0"></iframe>
-<iframe src="PAGE" style="width:1280px;height:800px;border:0"></iframe>
+<iframe class="measured" src="PAGE" style="width:390px;height:844px;border:0"></iframe>
+<iframe class="measured" src="PAGE" style="width:1280px;height:800px;border:0"></iframe>
+<iframe id="until_measured"></iframe>
 <pre id="measures"></pre>
 <script>
 const luminance = colour => {
@@ -105,12 +107,19 @@ const measure = frame => {
     weight: page.documentElement.outerHTML.length,
   };
 };
+const frames = [...document.querySelectorAll('.measured')], last = document.getElementById('until_measured');
+last.contentDocument.open();
 const write = () => {
-  document.getElementById('measures').textContent = JSON.stringify([...document.querySelectorAll('iframe')].map(measure));
+  document.getElementById('measures').textContent = JSON.stringify(frames.map(measure));
+  last.contentDocument.close();
 };
 // A hint follows its box's scroll timeline, which a busy machine gives its state some frames after the load.
-const after = (frames, action) => frames ? requestAnimationFrame(() => after(frames - 1, action)) : action();
-addEventListener('load', () => after(60, write));
+const after = (count, action) => count ? requestAnimationFrame(() => after(count - 1, action)) : action();
+Promise.all(frames.map(frame => new Promise(loaded => frame.addEventListener('load', loaded)))).then(() => {
+  // Nothing is laid out in what is folded.
+  frames.forEach(frame => frame.contentDocument.querySelectorAll('.folded').forEach(part => part.open = true));
+  after(60, write);
+});
 </script>)";
 
 // RFC 8089, percent-encoded.
@@ -157,7 +166,7 @@ BrowserRun open_in_browser(const fs::path& directory, const std::string& page, b
   run_browser(
       directory,
       {"--enable-logging=stderr", "--allow-file-access-from-files", "--window-size=1800,900",
-       "--hide-scrollbars", "--virtual-time-budget=5000", "--run-all-compositor-stages-before-draw",
+       "--hide-scrollbars",
        dark ? "--blink-settings=preferredColorScheme=0" : "--blink-settings=preferredColorScheme=1",
        "--dump-dom"},
       directory / "measure.html");

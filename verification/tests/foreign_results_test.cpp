@@ -95,7 +95,7 @@ TEST_F(ForeignResults, AnImportIsRefusedByTheLineWhereItGoesWrong) {
 }
 
 TEST_F(ForeignResults, TheFilesOfARestartedRunAreOneSeriesWhoseSeamIsTold) {
-  write("a.csv", "time [s];swlz [m]\n0;0.35\n0.1;0.36\n0.2;9\n0.3;9\n");
+  write("a.csv", "time [s];swlz [m]\n0;0.35\n0.1;0.36\n0.2;0.5\n0.3;0.5\n");
   write("b.csv", "time [s];swlz [m]\n0.2;0.37\n0.3;0.38\n0.4;0.39\n");
   const Ended ended = import_gauge("a.csv", {"b.csv"});
   EXPECT_EQ(ended.status, 0) << ended.err;

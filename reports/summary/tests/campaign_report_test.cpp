@@ -206,10 +206,9 @@ TEST(CampaignReport, NamesInItsBannerWhatDecides) {
 }
 
 TEST(CampaignReport, TellsOfRunsThatAreNotSoundOnTheFirstAndTheCasesPage) {
-  CaseAssessment doubtful = good();
-  doubtful.runs.results.at("particles")
-      .series.push_back({"mach_number", "1", {0, 20}, {0.42, 0.42}});
-  const reports::Report report = report_of(surge_campaign(), {doubtful});
+  CaseRuns fast = surge_runs();
+  fast.results.at("particles").series.push_back({"mach_number", "1", {0, 20}, {0.42, 0.42}});
+  const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), fast)});
   ASSERT_EQ(report.doubts.size(), 1U);
   EXPECT_TRUE(begins(report.doubts[0], "doubtful: small_surge: particles is not sound"));
   EXPECT_EQ(report.pages.at(0).doubts, report.doubts);

@@ -53,7 +53,7 @@ TEST(CaseAssessment, AsksForTheUnitOrTheSignOfACandidateThatIsAThousandfoldOrTur
   };
   EXPECT_NE(remarks(1000).find("; unit? the candidate's swing is"), std::string::npos);
   EXPECT_EQ(remarks(0.001), "; unit? the candidate's swing is 0.001 times the reference's");
-  EXPECT_EQ(remarks(-1), "; sign? the candidate is the reference turned over");
+  EXPECT_TRUE(remarks(-1).starts_with("; sign? the candidate is the reference turned over"));
   EXPECT_EQ(remarks(2), "");
 }
 
@@ -435,7 +435,7 @@ TEST(CaseAssessment, TellsWhereAFrequencyIsMeasuredAndWhatLinearTheoryHas) {
   definition.gate = {row};
   const std::string message = assess(definition, surge_runs()).gate.at(0).message;
   EXPECT_NE(message.find(" Hz within 0.7851 Hz to 0.7891 Hz; over 1 to 20 s; linear theory has "
-                         "0.787 Hz"),
+                         "0.7904 Hz"),
             std::string::npos)
       << message;
 }
