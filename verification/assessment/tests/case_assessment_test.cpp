@@ -431,10 +431,10 @@ TEST(CaseAssessment, TellsWhereAFrequencyIsMeasuredAndWhatLinearTheoryHas) {
   GateRow row = surge_row("natural_1", Metric::frequency, "Hz", 0);
   row.reference.clear();
   row.limit.reset();
-  row.between = {0.7851, 0.7891};
+  row.between = {0.785, 0.795};
   definition.gate = {row};
   const std::string message = assess(definition, surge_runs()).gate.at(0).message;
-  EXPECT_NE(message.find(" Hz within 0.7851 Hz to 0.7891 Hz; over 1 to 20 s; linear theory has "
+  EXPECT_NE(message.find(" Hz within 0.785 Hz to 0.795 Hz; over 1 to 20 s; linear theory has "
                          "0.7904 Hz"),
             std::string::npos)
       << message;
