@@ -76,8 +76,8 @@ std::string read_bytes(const std::filesystem::path& file) try {
   if (std::filesystem::is_directory(file)) fail("cannot read", std::errc::is_a_directory);
   if (!is_plain_file(opened.id))
     fail("cannot read what is no file of a disk", std::errc::invalid_argument);
-  stored_bytes(file);
   std::string bytes;
+  bytes.reserve(stored_bytes(file));
   char part[1 << 16];
   for (ssize_t count; (count = ::read(opened.id, part, sizeof part)) != 0;) {
     if (count < 0 && errno != EINTR) fail("cannot read", std::errc(errno));
