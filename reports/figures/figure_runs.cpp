@@ -285,10 +285,17 @@ std::vector<const Comparison*> shown_comparisons(const CaseAssessment& assessmen
   return shown;
 }
 
-std::vector<reports::Span> outside_window(const CaseDefinition& definition, double time_scale) {
+std::vector<reports::Span> outside_window(const CaseDefinition& definition,
+                                          const std::string& quantity, double time_scale) {
+  double first = definition.window_begin, last = definition.window_end;
+  for (const GateRow& row : definition.gate) {
+    if (row.quantity != quantity) continue;
+    const auto [begin, end] = judged_time(row, definition);
+    first = std::min(first, begin);
+    last = std::max(last, end);
+  }
   std::vector<reports::Span> spans;
-  for (const auto& [begin, end] : {std::pair{0.0, definition.window_begin},
-                                   std::pair{definition.window_end, definition.duration}})
+  for (const auto& [begin, end] : {std::pair{0.0, first}, std::pair{last, definition.duration}})
     if (begin < end)
       spans.push_back({"outside the comparison window", time_scale * begin, time_scale * end});
   return spans;

@@ -85,8 +85,10 @@ std::string cut_off_text(const reports::Figure& figure);
 // Returns the judging comparison of the finest run of each scheme and solver.
 std::vector<const Comparison*> shown_comparisons(const CaseAssessment& assessment);
 
-// Returns the times outside the comparison window, for a time axis.
-std::vector<reports::Span> outside_window(const CaseDefinition& definition, double time_scale = 1);
+// Returns the times outside the comparison window that no row on the quantity looks at either, for
+// a time axis.
+std::vector<reports::Span> outside_window(const CaseDefinition& definition,
+                                          const std::string& quantity, double time_scale = 1);
 
 // Returns "recommended_10mm: SPH, scheme recommended, 10 mm; ..." and, where a record has an
 // uncertainty, the meaning of its bars. The text ends with a full stop.

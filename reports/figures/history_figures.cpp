@@ -52,6 +52,22 @@ std::vector<Marker> expected_frequencies(const CaseDefinition& definition) {
   return markers;
 }
 
+// Adds what rows on the candidate alone allow, unless the curves would be flat beside it.
+void add_limits(const CaseDefinition& definition, const std::string& quantity, double scale,
+                Figure& figure) {
+  double largest = 0, lowest = 0;
+  for (const Curve& curve : figure.curves) {
+    largest = std::max(largest, farthest_from(0, curve));
+    for (const double y : curve.y) lowest = std::min(lowest, y);
+  }
+  for (const GateRow& row : definition.gate) {
+    if (row.metric != Metric::largest_magnitude || row.quantity != quantity || !row.limit) continue;
+    const double limit = scale * *row.limit;
+    if (limit > 4 * largest) continue;
+    add_tolerance_band({row.candidate, lowest < 0 ? -limit : 0, limit, {}}, figure);
+  }
+}
+
 Figure history(const CaseAssessment& assessment, const std::string& quantity,
                const HistoryAxes& axes) {
   const CaseDefinition& definition = assessment.definition;
@@ -67,7 +83,8 @@ Figure history(const CaseAssessment& assessment, const std::string& quantity,
       measured_how(shown, definition, runs) + who_is_who(definition, runs) + " " +
       definition.source + ".";
   figure.x_range = {0, axes.scales.time * definition.duration};
-  figure.spans = outside_window(definition, axes.scales.time);
+  figure.spans = outside_window(definition, quantity, axes.scales.time);
+  add_limits(definition, quantity, axes.scales.value, figure);
   bool has_ribbon = false;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     std::vector<double> widths =

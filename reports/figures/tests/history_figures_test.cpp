@@ -57,6 +57,29 @@ TEST(CaseFigures, HaveUnitsThatSuitALargeTank) {
   EXPECT_EQ(elevation.curves.at(0).y, elevation_of({}).value);
 }
 
+TEST(LoadFigures, ShowWhatARowOnThePeakAllowsOverAllThatItLooksAt) {
+  CaseRuns runs = surge_runs();
+  add_series(runs, "theory", "force_x", "N/m", 100);
+  add_series(runs, "particles", "force_x", "N/m", 100);
+  CaseDefinition definition = surge_case();
+  definition.window_begin = 5;
+  EXPECT_EQ(figure_of({definition, runs, {}, {}, {}}, "force_x").spans.size(), 1u);
+  GateRow row = definition.gate[0];
+  row.quantity = "force_x";
+  row.metric = Metric::largest_magnitude;
+  row.mode = "whole";
+  row.limit = 300;
+  definition.gate = {row};
+  const reports::Figure peak = figure_of({definition, runs, {}, {}, {}}, "force_x");
+  EXPECT_TRUE(peak.spans.empty()) << "the row looks at the whole run";
+  ASSERT_EQ(peak.bands.size(), 1u);
+  EXPECT_EQ(peak.bands[0].label, "tolerance, particles");
+  EXPECT_EQ(peak.bands[0].upper, 300);
+  EXPECT_EQ(peak.bands[0].lower, 0) << "no force pulls";
+  definition.gate[0].limit = 3e4;
+  EXPECT_TRUE(figure_of({definition, runs, {}, {}, {}}, "force_x").bands.empty());
+}
+
 TEST(PressureFigure, ShowsTheoryBothSolversAndTheRecordUnfilteredAndFiltered) {
   CaseDefinition definition = gauged_surge();
   const CaseAssessment assessment = assess(definition, gauged_runs());
