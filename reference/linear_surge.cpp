@@ -49,12 +49,6 @@ struct LinearSurge::Modes {
             motion) {}
 
   const std::vector<TankMode>& modes() const { return response.modes(); }
-
-  // Calls visit(n, the n-th mode's state at t) for every mode.
-  template <class Visit>
-  void for_each(double t, Visit visit) const {
-    for (std::size_t n = 0; n < modes().size(); ++n) visit(n, response.state(n, t));
-  }
 };
 
 LinearSurge::LinearSurge(const Tank& tank, Start start, const SineSurge& motion, int modes)
@@ -81,9 +75,9 @@ std::vector<double> LinearSurge::elevation(double x, std::span<const double> tim
   series.reserve(times.size());
   for (const double t : times) {
     double elevation = 0;
-    modes_->for_each(modes_->response.checked_time(t), [&](std::size_t n, const ModeState& state) {
-      elevation += shape[n] * state.elevation;
-    });
+    modes_->response.for_each_state(
+        modes_->response.checked_time(t),
+        [&](std::size_t n, const ModeState& state) { elevation += shape[n] * state.elevation; });
     series.push_back(elevation);
   }
   return series;
@@ -92,13 +86,14 @@ std::vector<double> LinearSurge::elevation(double x, std::span<const double> tim
 LinearSurge::Velocity LinearSurge::velocity(double x, double z, double t) const {
   require_within(modes_->tank, in_linear_surge, x, z);
   Velocity velocity{0, 0};
-  modes_->for_each(modes_->response.checked_time(t), [&](std::size_t n, const ModeState& state) {
-    const TankMode& mode = modes_->modes()[n];
-    const DepthProfile profile = depth_profile(mode.wave_number, z, modes_->tank.fill_depth);
-    const double surge = state.rate / mode.depth_factor;
-    velocity.x += surge * std::cos(mode.wave_number * x) * profile.cosh;
-    velocity.z += surge * std::sin(mode.wave_number * x) * profile.sinh;
-  });
+  modes_->response.for_each_state(
+      modes_->response.checked_time(t), [&](std::size_t n, const ModeState& state) {
+        const TankMode& mode = modes_->modes()[n];
+        const DepthProfile profile = depth_profile(mode.wave_number, z, modes_->tank.fill_depth);
+        const double surge = state.rate / mode.depth_factor;
+        velocity.x += surge * std::cos(mode.wave_number * x) * profile.cosh;
+        velocity.z += surge * std::sin(mode.wave_number * x) * profile.sinh;
+      });
   return velocity;
 }
 
@@ -107,7 +102,7 @@ double LinearSurge::pressure(double x, double z, double t) const {
   const Tank& tank = modes_->tank;
   const double time = modes_->response.checked_time(t);
   double potential_rate = 0;
-  modes_->for_each(time, [&](std::size_t n, const ModeState& state) {
+  modes_->response.for_each_state(time, [&](std::size_t n, const ModeState& state) {
     const TankMode& mode = modes_->modes()[n];
     potential_rate += std::sin(mode.wave_number * x) *
                       depth_profile(mode.wave_number, z, tank.fill_depth).cosh *
@@ -121,7 +116,7 @@ double LinearSurge::horizontal_force(double t) const {
   const auto& [tank, gas, response] = *modes_;
   const double time = response.checked_time(t);
   double wave_part = 0;
-  modes_->for_each(time, [&](std::size_t n, const ModeState& state) {
+  modes_->response.for_each_state(time, [&](std::size_t n, const ModeState& state) {
     const double lambda = modes_->modes()[n].wave_number;
     wave_part += (n % 2 == 0 ? 2 : -2) * state.acceleration / (lambda * lambda);
   });

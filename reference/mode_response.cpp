@@ -59,17 +59,31 @@ std::vector<double> checked_times(const SampledMotion& motion) {
 
 }  // namespace
 
+SineInstant::SineInstant(const SineSurge& motion, double t)
+    : time(t),
+      amplitude(motion.amplitude),
+      angular_frequency(motion.angular_frequency),
+      phase_cosine(std::cos(motion.phase)),
+      phase_sine(std::sin(motion.phase)),
+      cosine(std::cos(angular_frequency * t / 2)),
+      sine(std::sin(angular_frequency * t / 2)),
+      phased_sine(std::sin(angular_frequency * t + motion.phase)) {}
+
+ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t) {
+  return forced_mode(mode, SineInstant(motion, t));
+}
+
 // By the half angles of the mode and of the motion, so that a mode costs one sine and one cosine.
 // The beat's own angle is taken where it is small: there the difference would cancel.
-ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t) {
-  const double omega = motion.angular_frequency;
+ModeState forced_mode(const TankMode& mode, const SineInstant& now) {
+  const double t = now.time, omega = now.angular_frequency;
   const double omega_n = mode.natural_frequency;
-  const double force = mode.coupling * motion.amplitude * omega * omega;
+  const double force = mode.coupling * now.amplitude * omega * omega;
   const double sigma = omega_n + omega;
-  const double of_sine = force / sigma * std::cos(motion.phase),
-               of_cosine = force / sigma * std::sin(motion.phase);
-  const double sine = std::sin(omega * t / 2), cosine = std::cos(omega * t / 2),
-               mode_sine = std::sin(omega_n * t / 2), mode_cosine = std::cos(omega_n * t / 2);
+  const double of_sine = force / sigma * now.phase_cosine,
+               of_cosine = force / sigma * now.phase_sine;
+  const double sine = now.sine, cosine = now.cosine, mode_sine = std::sin(omega_n * t / 2),
+               mode_cosine = std::cos(omega_n * t / 2);
   const double fast_sine = mode_sine * cosine + mode_cosine * sine,
                fast_cosine = mode_cosine * cosine - mode_sine * sine;
   const double slow = (omega_n - omega) * t / 2,
@@ -84,8 +98,7 @@ ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t) {
   const double rate = mode.initial_rate * (1 - 2 * mode_sine * mode_sine) +
                       of_sine * omega * beat * fast_sine +
                       of_cosine * (sigma / 2 * beat * fast_cosine + fast_sine * slow_cosine);
-  return {elevation, rate,
-          force * std::sin(omega * t + motion.phase) - omega_n * omega_n * elevation};
+  return {elevation, rate, force * now.phased_sine - omega_n * omega_n * elevation};
 }
 
 DuhamelModes::DuhamelModes(std::vector<TankMode> modes, const SampledMotion& motion)

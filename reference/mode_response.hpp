@@ -29,6 +29,18 @@ namespace slosh::reference {
 //   F cos(phi)/(2 omega^2) [sin(omega t) - omega t cos(omega t)].
 ModeState forced_mode(const TankMode& mode, const SineSurge& motion, double t);
 
+// What all modes have in common at a time: the motion's own sines and cosines.
+struct SineInstant {
+  SineInstant(const SineSurge& motion, double t);
+
+  double time, amplitude, angular_frequency;
+  double phase_cosine, phase_sine;  // of phi
+  double cosine, sine;              // of omega t/2
+  double phased_sine;               // of omega t + phi
+};
+
+ModeState forced_mode(const TankMode& mode, const SineInstant& now);
+
 // The tank's displacement [m] or angle [rad] q(t), given by its second derivative at 0, step,
 // 2 step, ..., or at the knots between which that is linear.
 struct SampledMotion {

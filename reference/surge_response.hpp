@@ -39,6 +39,17 @@ class SurgeResponse {
   double tank_acceleration(double t) const;  // X'' [m/s2]
   ModeState state(std::size_t n, double t) const;
 
+  // Calls visit(n, the n-th mode's state at t) for every mode.
+  template <class Visit>
+  void for_each_state(double t, Visit visit) const {
+    if (const auto* sine = std::get_if<SineSurge>(&motion_)) {
+      const SineInstant now(*sine, t);
+      for (std::size_t n = 0; n < modes_.size(); ++n) visit(n, forced_mode(modes_[n], now));
+    } else {
+      for (std::size_t n = 0; n < modes_.size(); ++n) visit(n, state(n, t));
+    }
+  }
+
  private:
   std::string_view where_;
   std::vector<TankMode> modes_;
