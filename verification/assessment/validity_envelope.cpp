@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "verification/case/motion.hpp"
@@ -47,15 +48,32 @@ double least_detuning(const CaseDefinition& definition) {
 
 using Reasons = std::vector<std::string>;
 
+constexpr int most_modes = 256;
+
+// The natural frequencies up to the first from `end` [rad/s] on, or as many as there are.
+std::vector<double> natural_up_to(double end, const CaseDefinition& definition) {
+  std::vector<double> natural;
+  for (int count = 4; count <= most_modes; count *= 2) {
+    natural = natural_frequencies(definition, count);
+    if (std::ssize(natural) < count || !(natural.back() < end)) break;
+  }
+  return natural;
+}
+
 // Names the natural modes, of those that surge and roll excite, that are too near to the forcing.
 void add_too_near_resonance(const CaseDefinition& definition, Reasons& reasons) {
   const double least = least_detuning(definition);
   const auto step = static_cast<std::size_t>(excited_mode_step(definition.tank));
   for (const ForcedMode& forced : forced_modes(definition)) {
     const double forcing = forced.angular_frequency;
-    for (std::size_t m = 1;; m += step) {
-      const std::vector<double> natural = natural_frequencies(definition, static_cast<int>(m));
-      if (natural.size() < m || (m > 1 && !(natural[m - 1] < 2 * forcing))) break;
+    const std::vector<double> natural = natural_up_to(2 * forcing, definition);
+    if (std::ssize(natural) == most_modes && natural.back() < forcing)
+      reasons.push_back(fmt::format(
+          "is forced at {:.3g} rad/s, above the {:.3g} rad/s of its natural mode {}, the last that "
+          "is asked for resonance",
+          forcing, natural.back(), most_modes));
+    for (std::size_t m = 1; m <= natural.size(); m += step) {
+      if (m > 1 && !(natural[m - 1] < 2 * forcing)) break;
       const double ratio = forcing / natural[m - 1];
       const double detuning = std::abs(ratio * ratio - 1);
       if (!(detuning >= least))
@@ -65,6 +83,19 @@ void add_too_near_resonance(const CaseDefinition& definition, Reasons& reasons) 
             ratio, m, detuning, least));
     }
   }
+}
+
+// A theory without viscosity keeps the first wave as it is, where the liquid damps it in its bulk
+// by exp(-2 nu k^2 t) (Lamb, Hydrodynamics, article 348).
+void add_damped_by_viscosity(const CaseDefinition& definition, Reasons& reasons) {
+  const double k = pi / still_surface(definition).length();
+  const double lost =
+      -std::expm1(-2 * definition.liquid.kinematic_viscosity * k * k * definition.window_end);
+  if (!(lost <= most_viscous_loss))
+    reasons.push_back(
+        fmt::format("has no viscosity, by which the first wave loses {:.2g} % until {:.4g} s, "
+                    "valid to {:.2g} %",
+                    100 * lost, definition.window_end, 100 * most_viscous_loss));
 }
 
 // Why a wave is too high for a theory of small waves.
@@ -79,6 +110,12 @@ Reasons too_high(double valid_elevation_over_depth, const CaseDefinition& defini
   if (!(steepness <= steepest_linear_wave))
     reasons.push_back(fmt::format("predicts a steepness k A of {:.3g}, valid to {:.3g}", steepness,
                                   steepest_linear_wave));
+  const double highest = over_depth * definition.liquid.fill_depth,
+               roof = definition.tank.height - definition.liquid.fill_depth;
+  if (!(highest < roof))
+    reasons.push_back(
+        fmt::format("predicts an elevation of {:.3g} m under a roof {:.3g} m above the still level",
+                    highest, roof));
   return reasons;
 }
 
@@ -91,6 +128,7 @@ std::optional<std::string> outside(const LinearRun& linear, const CaseDefinition
                                    const RunResult& result) {
   Reasons reasons = too_high(linear.valid_elevation_over_depth, definition, result);
   add_too_near_resonance(definition, reasons);
+  add_damped_by_viscosity(definition, reasons);
   return joined(reasons);
 }
 
@@ -101,12 +139,15 @@ std::optional<std::string> outside(const ViscousWaveRun& viscous, const CaseDefi
 
 std::optional<std::string> outside(const PotentialRun&, const CaseDefinition& definition,
                                    const RunResult& result) {
+  Reasons reasons;
   const double valid_until = recorded(result, "valid_until_s");
-  if (valid_until >= definition.window_end) return {};
   const auto because = result.provenance.find("left_range_because");
-  return fmt::format("leaves its range at {:.4g} s, before the window's end at {:.4g} s{}",
-                     valid_until, definition.window_end,
-                     because == result.provenance.end() ? "" : ": " + because->second);
+  if (!(valid_until >= definition.window_end))
+    reasons.push_back(fmt::format(
+        "leaves its range at {:.4g} s, before the window's end at {:.4g} s{}", valid_until,
+        definition.window_end, because == result.provenance.end() ? "" : ": " + because->second));
+  add_damped_by_viscosity(definition, reasons);
+  return joined(reasons);
 }
 
 std::string small_wave_range(double valid_elevation_over_depth, const CaseDefinition& definition,

@@ -8,8 +8,11 @@
 //                   2 for a roll): nearer to it the response is no longer proportional to b
 //                   (Moiseev 1958, J. Appl. Math. Mech. 22:860; Faltinsen 1974, J. Ship Res.
 //                   18:224).
+//                   The elevation stays below the roof, and the bulk of the liquid damps the first
+//                   wave by at most 2 % until the window's end.
 //   potential flow  It is valid up to the time at which it has left its range itself
-//                   (nonlinear_potential_flow.hpp). The comparison's window must end by then.
+//                   (nonlinear_potential_flow.hpp). The comparison's window must end by then. The
+//                   bulk damps the first wave no more than under linear theory.
 // Solvers and records have no such range.
 #pragma once
 
@@ -22,7 +25,7 @@
 
 namespace slosh {
 
-inline constexpr double steepest_linear_wave = 0.2;
+inline constexpr double steepest_linear_wave = 0.2, most_viscous_loss = 0.02;
 
 // Returns the range of a theory's result in words, with the numbers of this case. Empty for
 // solvers and records.

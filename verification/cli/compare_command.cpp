@@ -293,9 +293,26 @@ void add_range_doubt(const RunResult& reference, const std::string& series,
         fmt::format("{} is outside its range: it {}", theory, outside->second));
 }
 
+// Whether results, or a result and the case asked for, are of different texts of a case: tank,
+// liquid, motion and gauges may differ. An import has no text.
+bool are_of_other_cases(const RunResult& candidate, const RunResult& reference,
+                        const std::optional<CaseDefinition>& definition) {
+  const std::string asked = definition ? definition->text : "";
+  const auto differ = [](const std::string& one, const std::string& other) {
+    return !one.empty() && !other.empty() && one != other;
+  };
+  return differ(candidate.case_text, reference.case_text) || differ(candidate.case_text, asked) ||
+         differ(reference.case_text, asked);
+}
+
+constexpr const char* other_cases =
+    "the results and the case were read from different texts of a case: tank, liquid, motion and "
+    "gauges may differ";
+
 struct ComparedFiles {
   Comparison comparison;
   std::string impacts;  // impact_lines(), of a case whose impacts are in the quantity
+  bool are_of_other_cases;
 };
 
 ComparedFiles compared(const CompareOptions& options, const Installation& installation) {
@@ -323,19 +340,28 @@ ComparedFiles compared(const CompareOptions& options, const Installation& instal
         !unsound.empty())
       comparison.doubts.push_back(fmt::format("the {} is not sound: {}", role, unsound));
   add_range_doubt(reference, of_reference.name, comparison);
+  const bool others = are_of_other_cases(candidate, reference, definition);
+  if (others) comparison.doubts.push_back(other_cases);
   comparison.candidate = named(options.candidate, of_candidate, quantity);
   comparison.reference = options.reference.empty()
                              ? reference.run_name
                              : named(options.reference, of_reference, quantity);
-  return {std::move(comparison), definition && has_impacts(*definition, quantity)
-                                     ? impact_lines(*definition, of_candidate, of_reference)
-                                     : ""};
+  return {std::move(comparison),
+          definition && has_impacts(*definition, quantity)
+              ? impact_lines(*definition, of_candidate, of_reference)
+              : "",
+          others};
 }
 
 int compare_results(const CompareOptions& options, const Installation& installation) {
   keep_freed_memory();
-  const auto [comparison, impacts] = compared(options, installation);
-  const std::vector<GateOutcome> outcomes = judged_by_limits(options.limits, comparison);
+  const auto [comparison, impacts, others] = compared(options, installation);
+  std::vector<GateOutcome> outcomes = judged_by_limits(options.limits, comparison);
+  for (GateOutcome& outcome : outcomes)
+    if (others && outcome.verdict == Verdict::pass) {
+      outcome.verdict = Verdict::inconclusive;
+      outcome.message += fmt::format("; doubtful: {}", other_cases);
+    }
   print(comparison);
   std::cout << impacts;
   for (const GateOutcome& outcome : outcomes)

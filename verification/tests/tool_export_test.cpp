@@ -103,6 +103,22 @@ TEST_F(ToolExport, LeavesTheoriesThatCompareReads) {
             4);
 }
 
+TEST_F(ToolExport, LeavesATheoryThatPassesNothingOnceItsCaseHasChanged) {
+  ASSERT_EQ(run("theory").status, 0);
+  const auto compared = [&] {
+    return tool({"compare", "theory.h5", "theory.h5", "--gauge", "right", "--case", "./small.toml",
+                 "--limit", "normalised_rms=0.001"});
+  };
+  const std::string doubt = "were read from different texts of a case";
+  const Ended same = compared();
+  EXPECT_EQ(same.status, 0) << same.err;
+  EXPECT_FALSE(holds(same.out, doubt));
+  write_campaign(with(particles_case, "length_m = 1.0", "length_m = 1.1"));
+  const Ended other = compared();
+  EXPECT_EQ(other.status, 5) << other.out << other.err;
+  EXPECT_TRUE(holds(other.out, doubt));
+}
+
 TEST_F(ToolExport, LeavesATheoryOutsideItsRangeAndSaysSo) {
   write_campaign(with(particles_case, "valid_elevation_over_depth = 0.2",
                       "valid_elevation_over_depth = 0.001"));

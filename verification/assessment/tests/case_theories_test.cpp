@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "verification/assessment/validity_envelope.hpp"
 #include "verification/tests/sample_case.hpp"
 
 namespace slosh::case_theories_test {
@@ -77,6 +78,34 @@ TEST(CaseTheories, AreOutsideTheirRangeWhereThePredictionIsNotANumber) {
   const CaseTheories theories =
       case_theories(theory_case(), theory_runs(std::numeric_limits<double>::quiet_NaN()));
   EXPECT_TRUE(theories.remarks[0].outside);
+}
+
+// Where linear theory judges a copy of itself, which it would pass with nothing to tell.
+TEST(CaseTheories, AreOutsideTheirRangeUnderALowRoofInAThickLiquidAndForcedTooFast) {
+  const CaseDefinition inside = theory_case();
+  const auto reason = [](const CaseDefinition& definition, const char* run) {
+    const CaseRuns runs = theory_runs();
+    return outside_validity(definition, run_named(definition, run), runs.results.at(run))
+        .value_or("");
+  };
+  EXPECT_EQ(reason(inside, "linear"), "");
+  CaseDefinition low = inside;
+  low.tank.height = 1.02 * low.liquid.fill_depth;
+  EXPECT_NE(reason(low, "linear").find(" m under a roof "), std::string::npos);
+  low.tank.height = 1.04 * low.liquid.fill_depth;
+  EXPECT_EQ(reason(low, "linear"), "") << "its crest is at 1.03 depths";
+  CaseDefinition thick = inside;
+  thick.liquid.kinematic_viscosity = 1e-3;
+  thick.window_end = 2;  // exp(-2 nu k^2 t) = 0.961 in a tank of 1 m
+  for (const char* run : {"linear", "potential"})
+    EXPECT_NE(reason(thick, run)
+                  .find("has no viscosity, by which the first wave loses 3.9 % until "
+                        "2 s"),
+              std::string::npos)
+        << reason(thick, run);
+  CaseDefinition fast = inside;
+  fast.motion.surge = SineMotion{.amplitude = 1e-12, .angular_frequency = 6e6};
+  EXPECT_NE(reason(fast, "linear").find("of its natural mode 256"), std::string::npos);
 }
 
 }  // namespace

@@ -308,7 +308,10 @@ TEST(RowUncertainty, OfViscosityComesFromATheoryThatCountsItOrIsUnknown) {
       const GateOutcome outcome = alone.judged();
       EXPECT_FALSE(outcome.judgement->contributions.input.half_width);
       EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << outcome.message;
-      EXPECT_NE(outcome.message.find("viscosity"), std::string::npos) << outcome.message;
+      // Linear theory is outside its range in so thick a liquid.
+      EXPECT_NE(outcome.message.find("the sensitivity to " + input_name(input) + " is unknown"),
+                std::string::npos)
+          << outcome.message;
     }
 }
 
