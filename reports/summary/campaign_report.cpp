@@ -61,7 +61,8 @@ std::string coverage_text(const std::vector<CaseCoverage>& covered) {
                          : fmt::format("; those of {} miss some", fmt::join(incomplete, ", ")));
 }
 
-// A row that does not pass detects nothing more, so that only rows that pass show what they miss.
+// Whether every judged row passes. What a failing row would not detect says nothing: it objects
+// already.
 bool all_pass(const CaseAssessment& assessment) {
   return std::ranges::none_of(assessment.gate, [](const GateOutcome& outcome) {
     return is_judged(outcome.verdict) && outcome.verdict != Verdict::pass;

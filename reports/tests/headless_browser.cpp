@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 namespace process = boost::process;
 
 // Shows a page in a frame of a phone's width and in one of a desktop's, and writes the measurements
-// as text 60 frames after both are loaded. A third frame, whose document is open until then, keeps
-// this page from being loaded before. Contrasts are those of WCAG 2.1, against the page's own
+// as text 60 frames after both are loaded. A third frame, whose document stays open until then,
+// holds this page's load event back. Contrasts are those of WCAG 2.1, against the page's own
 // background.
 constexpr const char* measuring_page = R"(<!DOCTYPE html><title>measure</title>
 <iframe class="measured" src="PAGE" style="width:390px;height:844px;border:0"></iframe>

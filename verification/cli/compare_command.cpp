@@ -293,8 +293,8 @@ void add_range_doubt(const RunResult& reference, const std::string& series,
         fmt::format("{} is outside its range: it {}", theory, outside->second));
 }
 
-// Whether results, or a result and the case asked for, are of different texts of a case: tank,
-// liquid, motion and gauges may differ. An import has no text.
+// Whether the results, or a result and the case of --case, hold different texts of a case, so that
+// tank, liquid, motion or gauges may differ. An imported result holds none.
 bool are_of_other_cases(const RunResult& candidate, const RunResult& reference,
                         const std::optional<CaseDefinition>& definition) {
   const std::string asked = definition ? definition->text : "";

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
@@ -70,13 +71,15 @@ TEST(ChildProcess, CountsTheTimeOfAllThatItStarts) {
   };
   std::ofstream(directory.path() / "works")
       << "i=0; while [ $i -lt 150000 ]; do i=$((i+1)); done; echo > done";
-  const double whole = time_of("sh ./works");
+  // The smallest of three: another process on the core may make one dearer.
+  const double whole =
+      std::min({time_of("sh ./works"), time_of("sh ./works"), time_of("sh ./works")});
   for (const char* script :
        {"sh ./works & wait", "setsid --wait sh ./works", "sh -c 'sh ./works & wait' & wait",
         "(setsid sh ./works &); while ! test -s done; do sleep 0.02; done",
         "(sh ./works &); while ! test -s done; do sleep 0.02; done",
         "setsid sh -c '. ./works; sleep 60' & while ! test -s done; do sleep 0.02; done"})
-    EXPECT_GT(time_of(script), 0.3 * whole) << script;
+    EXPECT_GT(time_of(script), 0.7 * whole) << script;
 }
 
 // Which cores a process is bound to, beside others that are bound.

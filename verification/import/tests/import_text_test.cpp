@@ -553,7 +553,7 @@ TEST(Hdf5Damage, CrashesNoImport) {
                             .time_column = "time"};
   const std::string sound = sound_file();
   int taken = 0, refused = 0, ended = 0;
-  for (std::size_t i = 0; i < 150; ++i) {
+  for (std::size_t i = 0; i < 400; ++i) {
     std::string bytes = sound;
     // What describes the data comes first.
     const std::size_t at = 97 * i % std::min<std::size_t>(bytes.size(), 4096);
