@@ -49,9 +49,4 @@ double SurgeResponse::tank_acceleration(double t) const {
   return -amplitude * omega * omega * std::sin(omega * t + phase);
 }
 
-ModeState SurgeResponse::state(std::size_t n, double t) const {
-  const auto* sine = std::get_if<SineSurge>(&motion_);
-  return sine ? forced_mode(modes_[n], *sine, t) : std::get<DuhamelModes>(motion_).state(n, t);
-}
-
 }  // namespace slosh::reference

@@ -37,7 +37,6 @@ class SurgeResponse {
   // Returns t, or throws std::invalid_argument where the motion is not defined and for NaN.
   double checked_time(double t) const;
   double tank_acceleration(double t) const;  // X'' [m/s2]
-  ModeState state(std::size_t n, double t) const;
 
   // Calls visit(n, the n-th mode's state at t) for every mode.
   template <class Visit>
@@ -46,7 +45,8 @@ class SurgeResponse {
       const SineInstant now(*sine, t);
       for (std::size_t n = 0; n < modes_.size(); ++n) visit(n, forced_mode(modes_[n], now));
     } else {
-      for (std::size_t n = 0; n < modes_.size(); ++n) visit(n, state(n, t));
+      for (std::size_t n = 0; n < modes_.size(); ++n)
+        visit(n, std::get<DuhamelModes>(motion_).state(n, t));
     }
   }
 

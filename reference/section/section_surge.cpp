@@ -44,9 +44,9 @@ struct SectionSurge::Waves {
   double wave(const Eigen::VectorXd& potential, double t) const {
     const double g = flow->section().gravity;
     double sum = -response.tank_acceleration(t) / g * potential[flow->line()];
-    for (std::size_t n = 0; n < response.modes().size(); ++n) {
-      sum -= response.state(n, t).acceleration / (g * flow->wave_numbers[n]) * potential[n];
-    }
+    response.for_each_state(t, [&](std::size_t n, const ModeState& state) {
+      sum -= state.acceleration / (g * flow->wave_numbers[n]) * potential[n];
+    });
     return sum;
   }
 };
@@ -76,11 +76,11 @@ SectionSurge::Velocity SectionSurge::velocity(double x, double z, double t) cons
   const auto place = waves_->flow->values(in_section_surge, x, z);
   const double time = waves_->response.checked_time(t);
   Velocity velocity{0, 0};
-  for (std::size_t n = 0; n < waves_->response.modes().size(); ++n) {
-    const double potential = waves_->response.state(n, time).rate / waves_->flow->wave_numbers[n];
+  waves_->response.for_each_state(time, [&](std::size_t n, const ModeState& state) {
+    const double potential = state.rate / waves_->flow->wave_numbers[n];
     velocity.x += potential * place.x_slope[n];
     velocity.z += potential * place.z_slope[n];
-  }
+  });
   return velocity;
 }
 
@@ -109,9 +109,9 @@ double SectionSurge::horizontal_force(double t) const {
   const SectionFlow& flow = *waves_->flow;
   const double time = waves_->response.checked_time(t);
   double wave_part = 0;
-  for (std::size_t n = 0; n < waves_->response.modes().size(); ++n) {
-    wave_part += waves_->response.modes()[n].coupling * waves_->response.state(n, time).elevation;
-  }
+  waves_->response.for_each_state(time, [&](std::size_t n, const ModeState& state) {
+    wave_part += waves_->response.modes()[n].coupling * state.elevation;
+  });
   return -flow.section().density *
          (waves_->response.tank_acceleration(time) * (flow.area() - flow.line_flux) -
           flow.section().gravity * wave_part);

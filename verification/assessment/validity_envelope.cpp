@@ -85,17 +85,29 @@ void add_too_near_resonance(const CaseDefinition& definition, Reasons& reasons) 
   }
 }
 
-// A theory without viscosity keeps the first wave as it is, where the liquid damps it in its bulk
-// by exp(-2 nu k^2 t) (Lamb, Hydrodynamics, article 348).
-void add_damped_by_viscosity(const CaseDefinition& definition, Reasons& reasons) {
+// The share of the first wave that the liquid damps in its bulk until the window's end, 1 - exp(-2
+// nu k^2 t) (Lamb, Hydrodynamics, article 348).
+double share_lost_to_viscosity(const CaseDefinition& definition) {
   const double k = pi / still_surface(definition).length();
-  const double lost =
-      -std::expm1(-2 * definition.liquid.kinematic_viscosity * k * k * definition.window_end);
-  if (!(lost <= most_viscous_loss))
+  return -std::expm1(-2 * definition.liquid.kinematic_viscosity * k * k * definition.window_end);
+}
+
+void add_without_viscosity(const CaseDefinition& definition, Reasons& reasons) {
+  const double lost = share_lost_to_viscosity(definition);
+  if (!(lost <= most_left_out))
     reasons.push_back(
         fmt::format("has no viscosity, by which the first wave loses {:.2g} % until {:.4g} s, "
-                    "valid to {:.2g} %",
-                    100 * lost, definition.window_end, 100 * most_viscous_loss));
+                    "valid to {:g} %",
+                    100 * lost, definition.window_end, 100 * most_left_out));
+}
+
+void add_without_gas(const CaseDefinition& definition, Reasons& reasons) {
+  const double lost = definition.gravity == 0 ? 0 : share_lost_to_gas(definition);
+  if (!(lost <= most_left_out))
+    reasons.push_back(
+        fmt::format("has no gas, which lowers the first natural frequency by {:.2g} %, valid to "
+                    "{:g} %",
+                    100 * lost, 100 * most_left_out));
 }
 
 // Why a wave is too high for a theory of small waves.
@@ -128,13 +140,16 @@ std::optional<std::string> outside(const LinearRun& linear, const CaseDefinition
                                    const RunResult& result) {
   Reasons reasons = too_high(linear.valid_elevation_over_depth, definition, result);
   add_too_near_resonance(definition, reasons);
-  add_damped_by_viscosity(definition, reasons);
+  add_without_viscosity(definition, reasons);
+  if (!linear.two_layer) add_without_gas(definition, reasons);
   return joined(reasons);
 }
 
 std::optional<std::string> outside(const ViscousWaveRun& viscous, const CaseDefinition& definition,
                                    const RunResult& result) {
-  return joined(too_high(viscous.valid_elevation_over_depth, definition, result));
+  Reasons reasons = too_high(viscous.valid_elevation_over_depth, definition, result);
+  add_without_gas(definition, reasons);
+  return joined(reasons);
 }
 
 std::optional<std::string> outside(const PotentialRun&, const CaseDefinition& definition,
@@ -146,17 +161,31 @@ std::optional<std::string> outside(const PotentialRun&, const CaseDefinition& de
     reasons.push_back(fmt::format(
         "leaves its range at {:.4g} s, before the window's end at {:.4g} s{}", valid_until,
         definition.window_end, because == result.provenance.end() ? "" : ": " + because->second));
-  add_damped_by_viscosity(definition, reasons);
+  add_without_viscosity(definition, reasons);
+  add_without_gas(definition, reasons);
   return joined(reasons);
 }
 
 std::string small_wave_range(double valid_elevation_over_depth, const CaseDefinition& definition,
                              const RunResult& result) {
   return fmt::format(
-      "an elevation of at most {:g} fill depths, of which it predicts {:.3g}; a steepness k A of "
-      "at most {:g}, of which it predicts {:.3g}",
+      "an elevation of at most {:g} fill depths and below the roof, of which it predicts {:.3g}; a "
+      "steepness k A of at most {:g}, of which it predicts {:.3g}",
       valid_elevation_over_depth, recorded(result, "highest_elevation_over_depth"),
       steepest_linear_wave, predicted_steepness(definition, result));
+}
+
+std::string viscosity_range(const CaseDefinition& definition) {
+  return fmt::format("; a loss of the first wave to viscosity of at most {:g} %, here {:.2g} %",
+                     100 * most_left_out, 100 * share_lost_to_viscosity(definition));
+}
+
+std::string gas_range(const CaseDefinition& definition) {
+  if (definition.gravity == 0) return "";
+  return fmt::format(
+      "; a first natural frequency that the gas lowers by at most {:g} %, here "
+      "{:.2g} %",
+      100 * most_left_out, 100 * share_lost_to_gas(definition));
 }
 
 std::string range_of(const LinearRun& linear, const CaseDefinition& definition,
@@ -167,18 +196,21 @@ std::string range_of(const LinearRun& linear, const CaseDefinition& definition,
         "; a detuning |(omega / omega_n)^2 - 1| of at least {:.2g} from each natural mode n that "
         "the motion excites",
         least_detuning(definition));
-  return text;
+  return text + viscosity_range(definition) + (linear.two_layer ? "" : gas_range(definition));
 }
 
 std::string range_of(const ViscousWaveRun& viscous, const CaseDefinition& definition,
                      const RunResult& result) {
-  return small_wave_range(viscous.valid_elevation_over_depth, definition, result);
+  return small_wave_range(viscous.valid_elevation_over_depth, definition, result) +
+         gas_range(definition);
 }
 
-std::string range_of(const PotentialRun&, const CaseDefinition&, const RunResult& result) {
+std::string range_of(const PotentialRun&, const CaseDefinition& definition,
+                     const RunResult& result) {
   const auto because = result.provenance.find("left_range_because");
   return fmt::format("valid to {:.6g} s{}", recorded(result, "valid_until_s"),
-                     because == result.provenance.end() ? "" : ": " + because->second);
+                     because == result.provenance.end() ? "" : ": " + because->second) +
+         viscosity_range(definition) + gas_range(definition);
 }
 
 std::string range_of(const auto&, const CaseDefinition&, const RunResult&) { return ""; }

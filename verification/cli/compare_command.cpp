@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -17,6 +18,7 @@
 #include <utility>
 
 #include "reports/summary/results_json.hpp"
+#include "verification/assessment/references/case_theories.hpp"
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
@@ -273,7 +275,7 @@ RunResult theory_of(const CaseDefinition& definition) {
   settings.with_left_out = false;
   RunResult result = execute(definition, *theory, settings, [](double, double) {});
   if (const auto outside = outside_validity(definition, *theory, result))
-    std::cout << fmt::format("doubtful: {} is outside its range: it {}\n", theory->name, *outside);
+    result.provenance[theory->name + outside_its_range] = *outside;
   return result;
 }
 
@@ -283,14 +285,15 @@ std::string named(const std::filesystem::path& file, const TimeSeries& series,
   return file.string() + (series.name == quantity ? "" : " (" + series.name + ")");
 }
 
-// Of a theory that `export` left.
+// Of a theory that was computed here or that `export` left.
 void add_range_doubt(const RunResult& reference, const std::string& series,
-                     Comparison& comparison) {
-  const std::string theory = series.substr(series.rfind('/') + 1);
-  const auto outside = reference.provenance.find(theory + "_outside_its_range");
+                     std::vector<std::string>& doubts) {
+  const std::size_t slash = series.rfind('/');
+  const std::string theory =
+      slash == std::string::npos ? reference.run_name : series.substr(slash + 1);
+  const auto outside = reference.provenance.find(theory + outside_its_range);
   if (outside != reference.provenance.end())
-    comparison.doubts.push_back(
-        fmt::format("{} is outside its range: it {}", theory, outside->second));
+    doubts.push_back(fmt::format("{} is outside its range: it {}", theory, outside->second));
 }
 
 // Whether the results, or a result and the case of --case, hold different texts of a case, so that
@@ -312,7 +315,7 @@ constexpr const char* other_cases =
 struct ComparedFiles {
   Comparison comparison;
   std::string impacts;  // impact_lines(), of a case whose impacts are in the quantity
-  bool are_of_other_cases;
+  std::vector<std::string> doubts_of_runs;  // for which no limit is passed
 };
 
 ComparedFiles compared(const CompareOptions& options, const Installation& installation) {
@@ -334,14 +337,14 @@ ComparedFiles compared(const CompareOptions& options, const Installation& instal
     prepared.add_band({reference.at(quantity + lower_edge), reference.at(quantity + upper_edge)});
   Comparison comparison =
       compare(PreparedSeries("candidate", of_candidate, window, modes), prepared);
+  std::vector<std::string> doubts_of_runs;
   for (const auto& [role, result] : {std::pair("candidate", &candidate), {"reference", &reference}})
     if (const std::string unsound =
             soundness_doubts(*result, window, !definition || definition->gravity > 0);
         !unsound.empty())
-      comparison.doubts.push_back(fmt::format("the {} is not sound: {}", role, unsound));
-  add_range_doubt(reference, of_reference.name, comparison);
-  const bool others = are_of_other_cases(candidate, reference, definition);
-  if (others) comparison.doubts.push_back(other_cases);
+      doubts_of_runs.push_back(fmt::format("the {} is not sound: {}", role, unsound));
+  add_range_doubt(reference, of_reference.name, doubts_of_runs);
+  if (are_of_other_cases(candidate, reference, definition)) doubts_of_runs.push_back(other_cases);
   comparison.candidate = named(options.candidate, of_candidate, quantity);
   comparison.reference = options.reference.empty()
                              ? reference.run_name
@@ -350,18 +353,15 @@ ComparedFiles compared(const CompareOptions& options, const Installation& instal
           definition && has_impacts(*definition, quantity)
               ? impact_lines(*definition, of_candidate, of_reference)
               : "",
-          others};
+          doubts_of_runs};
 }
 
 int compare_results(const CompareOptions& options, const Installation& installation) {
   keep_freed_memory();
-  const auto [comparison, impacts, others] = compared(options, installation);
-  std::vector<GateOutcome> outcomes = judged_by_limits(options.limits, comparison);
-  for (GateOutcome& outcome : outcomes)
-    if (others && outcome.verdict == Verdict::pass) {
-      outcome.verdict = Verdict::inconclusive;
-      outcome.message += fmt::format("; doubtful: {}", other_cases);
-    }
+  auto [comparison, impacts, doubts_of_runs] = compared(options, installation);
+  const std::vector<GateOutcome> outcomes =
+      judged_by_limits(options.limits, comparison, doubts_of_runs);
+  std::ranges::move(doubts_of_runs, std::back_inserter(comparison.doubts));
   print(comparison);
   std::cout << impacts;
   for (const GateOutcome& outcome : outcomes)

@@ -1,6 +1,7 @@
 #include "verification/cli/limit_option.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -94,12 +95,20 @@ GateRow row_of(const LimitText& limit, const Comparison& comparison) {
   return row;
 }
 
-GateOutcome judged(const GateRow& row, const Comparison& comparison) {
+GateOutcome judged(const GateRow& row, const Comparison& comparison,
+                   const std::vector<std::string>& doubts_of_runs) {
   const std::map<std::string, RunStatus> runs{{comparison.candidate, {RunState::finished, ""}},
                                               {comparison.reference, {RunState::finished, ""}}};
   const FindComparison find = [&](const std::string&, const std::string&,
                                   const std::string&) -> const Comparison& { return comparison; };
-  GateOutcome outcome = evaluate(row, runs, {find, {}});
+  GateEvidence evidence{find, {}};
+  if (!doubts_of_runs.empty())
+    evidence.doubts_of_runs = [&](const GateRow&) {
+      return RowDoubts{.text = fmt::format("; doubtful: {}", fmt::join(doubts_of_runs, "; ")),
+                       .is_doubtful = true,
+                       .keep_from_passing = true};
+    };
+  GateOutcome outcome = evaluate(row, runs, evidence);
   outcome.message += "; the uncertainties of both results are not counted";
   return outcome;
 }
@@ -107,7 +116,8 @@ GateOutcome judged(const GateRow& row, const Comparison& comparison) {
 }  // namespace
 
 std::vector<GateOutcome> judged_by_limits(const std::vector<std::string>& limits,
-                                          const Comparison& comparison) {
+                                          const Comparison& comparison,
+                                          const std::vector<std::string>& doubts_of_runs) {
   std::vector<GateOutcome> outcomes;
   for (const std::string& text : limits) {
     const LimitText limit = parts_of(text);
@@ -115,7 +125,7 @@ std::vector<GateOutcome> judged_by_limits(const std::vector<std::string>& limits
     for (const GateOutcome& other : outcomes)
       if (other.row.metric == row.metric && other.row.mode == row.mode)
         refuse(limit, "metric", limit.metric, "each metric of a mode once");
-    outcomes.push_back(judged(row, comparison));
+    outcomes.push_back(judged(row, comparison, doubts_of_runs));
   }
   return outcomes;
 }

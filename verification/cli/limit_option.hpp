@@ -12,9 +12,11 @@
 namespace slosh {
 
 // One outcome for each limit, judged as a gate row of a case is. A metric that can be measured on
-// the forced mode is measured there where no mode is named. Throws CaseFileError for what is no
-// such limit and for a second one on the same metric and mode.
+// the forced mode is measured there where no mode is named. A limit that holds is inconclusive
+// where there are doubts of the runs themselves. Throws CaseFileError for what is no such limit and
+// for a second one on the same metric and mode.
 std::vector<GateOutcome> judged_by_limits(const std::vector<std::string>& limits,
-                                          const Comparison& comparison);
+                                          const Comparison& comparison,
+                                          const std::vector<std::string>& doubts_of_runs);
 
 }  // namespace slosh

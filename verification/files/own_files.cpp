@@ -229,7 +229,8 @@ void require_room(const fs::path& path) { require_movable(found_at(path, "")); }
 void make_room(const fs::path& path) { free_place(found_at(path, "")); }
 
 fs::path make_own_directory(const fs::path& named, const std::vector<std::string>& beside) {
-  for (int number = 1;; ++number) {
+  constexpr int most = 1000;
+  for (int number = 1; number <= most; ++number) {
     const fs::path place = named.native() + (number == 1 ? "" : fmt::format("-{}", number));
     try {
       for (const std::string& ending : beside) require_own(place.native() + ending);
@@ -247,6 +248,7 @@ fs::path make_own_directory(const fs::path& named, const std::vector<std::string
     if (number > 1) set_aside().add(named, "the program works in " + place.filename().string());
     return place;
   }
+  refuse("cannot make the directory, nor one of a thousand names like it", named, EEXIST);
 }
 
 std::vector<std::string> told_of_set_aside() { return set_aside().told(); }

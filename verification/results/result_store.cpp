@@ -71,6 +71,19 @@ fs::path ResultStore::file(const std::string& key, const char* extension) const 
   return root_ / question_of(key) / (answer_of(key) + extension);
 }
 
+fs::path ResultStore::file_without_links(const std::string& key, const char* extension) const {
+  const fs::path own = file(key, extension), question = own.parent_path();
+  const auto require_no_link = [](const fs::path& path) {
+    if (fs::is_symlink(path))
+      throw ResultError(path.string() +
+                        ": is a link, expected a file or a directory of the store; remove it");
+  };
+  require_no_link(question);
+  if (fs::is_directory(question))
+    for (const fs::path& path : paths(key)) require_no_link(path);
+  return own;
+}
+
 std::optional<fs::path> ResultStore::newest_file(const std::string& key,
                                                  const char* extension) const {
   const fs::path own = file(key, extension);
@@ -175,7 +188,7 @@ void require_key_of_place(const std::string& key, const fs::path& file) {
 
 StoreLock::StoreLock(const ResultStore& store, const std::string& key,
                      const std::function<void()>& waiting)
-    : lock_(store.file(key, lock_extension), waiting) {
+    : lock_(store.file_without_links(key, lock_extension), waiting) {
   remove_half_written(store.file(key, "").parent_path(), answer_of(key));
 }
 

@@ -38,6 +38,10 @@ class ResultStore {
   // Returns the file of the key; `extension` has its dot. The key has the form "question-answer".
   std::filesystem::path file(const std::string& key, const char* extension) const;
 
+  // Returns the same, where none of the key's files nor their directory is a link, through which
+  // files outside the store would be written. Throws ResultError otherwise.
+  std::filesystem::path file_without_links(const std::string& key, const char* extension) const;
+
   // Returns the file of the key, or else the newest that answers the same question, or nullopt.
   std::optional<std::filesystem::path> newest_file(const std::string& key,
                                                    const char* extension) const;
@@ -78,8 +82,8 @@ auto read_stored(const std::filesystem::path& file, const Read& read) {
 }
 
 // Holds a key of the store for this process alone during its lifetime, and removes the half-written
-// files of a process that died there. Waits for another process that holds the key. Throws
-// std::filesystem::filesystem_error.
+// files of a process that died there. Waits for another process that holds the key. Throws as
+// file_without_links() does, and std::filesystem::filesystem_error.
 class StoreLock {
  public:
   StoreLock(const ResultStore& store, const std::string& key,

@@ -123,7 +123,8 @@ void record_cost(const RunResult& result, const CaseDefinition& definition,
   const bool ended_early = result.provenance.contains("left_range_because");
   if (ended_early || !(size.elements * size.steps > 0)) return;
   require_no_input(file);
-  if (std::filesystem::exists(file) && !is_plain_file(file)) return;
+  const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file));
+  if (is_there && (std::filesystem::is_symlink(file) || !is_plain_file(file))) return;
   // A short line is one write, so that the lines of runs that end together do not mix.
   std::ofstream(file, std::ios::app)
       << fmt::format("{:.6g} {:.6g} {:.4g} {:.4g} {}\n", size.elements, size.steps,

@@ -65,7 +65,7 @@ CaseTheories case_theories(const CaseDefinition& definition, const CaseRuns& run
     joint.provenance[run.name] = remarks.solution;
     joint.provenance[run.name + "_range"] = remarks.range;
     joint.provenance[run.name + "_uncertainty"] = remarks.uncertainty;
-    if (remarks.outside) joint.provenance[run.name + "_outside_its_range"] = *remarks.outside;
+    if (remarks.outside) joint.provenance[run.name + outside_its_range] = *remarks.outside;
   }
   return theories;
 }

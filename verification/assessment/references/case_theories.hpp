@@ -15,7 +15,8 @@
 
 namespace slosh {
 
-inline constexpr const char* half_width_suffix = "/half_width";
+inline constexpr const char *half_width_suffix = "/half_width",
+                            *outside_its_range = "_outside_its_range";
 
 struct TheoryRemarks {
   std::string run, solution;  // its name; what is solved, in words

@@ -51,10 +51,14 @@ TEST(CaseTheories, TellTheirRangesWithTheNumbersOfTheCase) {
   const CaseTheories theories = case_theories(theory_case(), theory_runs());
   ASSERT_EQ(theories.remarks.size(), 2u);
   EXPECT_EQ(theories.remarks[0].range,
-            "an elevation of at most 0.1 fill depths, of which it predicts 0.03; a steepness k A "
-            "of at most 0.2, of which it predicts 0.033; a detuning |(omega / omega_n)^2 - 1| of "
-            "at least 0.074 from each natural mode n that the motion excites");
-  EXPECT_EQ(theories.remarks[1].range, "valid to 2 s");
+            "an elevation of at most 0.1 fill depths and below the roof, of which it predicts "
+            "0.03; a steepness k A of at most 0.2, of which it predicts 0.033; a detuning |(omega "
+            "/ omega_n)^2 - 1| of at least 0.074 from each natural mode n that the motion excites"
+            "; a loss of the first wave to viscosity of at most 0.5 %, here 0.0039 %; a first "
+            "natural frequency that the gas lowers by at most 0.5 %, here 0.12 %");
+  EXPECT_EQ(theories.remarks[1].range,
+            "valid to 2 s; a loss of the first wave to viscosity of at most 0.5 %, here 0.0039 %; "
+            "a first natural frequency that the gas lowers by at most 0.5 %, here 0.12 %");
   for (const TheoryRemarks& remarks : theories.remarks) EXPECT_FALSE(remarks.outside);
   const auto& texts = theories.result.provenance;
   EXPECT_EQ(texts.at("linear_range"), theories.remarks[0].range);
@@ -68,7 +72,7 @@ TEST(CaseTheories, TellWhyOneIsOutsideItsRange) {
   runs.results["potential"].provenance["left_range_because"] = "its surface is too steep";
   const CaseTheories theories = case_theories(theory_case(), runs);
   EXPECT_EQ(theories.remarks[0].outside, "predicts an elevation of 0.11 fill depths, valid to 0.1");
-  EXPECT_EQ(theories.remarks[1].range, "valid to 1 s: its surface is too steep");
+  EXPECT_EQ(theories.remarks[1].range.find("valid to 1 s: its surface is too steep;"), 0u);
   EXPECT_TRUE(theories.remarks[1].outside);
   EXPECT_EQ(theories.result.provenance.at("linear_outside_its_range"), theories.remarks[0].outside);
 }
@@ -81,7 +85,7 @@ TEST(CaseTheories, AreOutsideTheirRangeWhereThePredictionIsNotANumber) {
 }
 
 // Where linear theory judges a copy of itself, which it would pass with nothing to tell.
-TEST(CaseTheories, AreOutsideTheirRangeUnderALowRoofInAThickLiquidAndForcedTooFast) {
+TEST(CaseTheories, AreOutsideTheirRangeUnderALowRoofInAThickLiquidUnderADenseGasAndForcedTooFast) {
   const CaseDefinition inside = theory_case();
   const auto reason = [](const CaseDefinition& definition, const char* run) {
     const CaseRuns runs = theory_runs();
@@ -103,6 +107,14 @@ TEST(CaseTheories, AreOutsideTheirRangeUnderALowRoofInAThickLiquidAndForcedTooFa
                         "2 s"),
               std::string::npos)
         << reason(thick, run);
+  CaseDefinition dense = inside;
+  dense.gas.density = 0.02 * dense.liquid.density;
+  for (const char* run : {"linear", "potential"})
+    EXPECT_NE(reason(dense, run).find("has no gas, which lowers the first natural frequency by "),
+              std::string::npos)
+        << reason(dense, run);
+  std::get<LinearRun>(dense.runs[0].solver).two_layer = true;
+  EXPECT_EQ(reason(dense, "linear"), "");
   CaseDefinition fast = inside;
   fast.motion.surge = SineMotion{.amplitude = 1e-12, .angular_frequency = 6e6};
   EXPECT_NE(reason(fast, "linear").find("of its natural mode 256"), std::string::npos);

@@ -47,6 +47,36 @@ TEST_F(Store, FindsTheResultOfAKeyBeforeAnotherBuilds) {
   EXPECT_FALSE(store.newest_file("q-a", ".json")) << "timings are no result";
 }
 
+// A store may come from a cache or a commit: what it writes at its own names stays in it.
+TEST_F(Store, WritesThroughNoLinkAtAKeyOrItsDirectory) {
+  const fs::path outside = directory.path() / "outside";
+  fs::create_directories(outside);
+  std::ofstream(outside / "mine") << "mine";
+  const auto refused = [&](const std::string& key, const fs::path& link) {
+    try {
+      StoreLock(store, key);
+      ADD_FAILURE() << link << " was followed";
+    } catch (const ResultError& error) {
+      EXPECT_NE(std::string(error.what()).find(link.string() + ": is a link"), std::string::npos)
+          << error.what();
+    }
+  };
+  put("q-other", ".h5");
+  for (const char* extension : {".h5", ".failure.json", ".work", ".timings.json", ".lock"}) {
+    const fs::path link = store.file("q-a", extension);
+    fs::create_symlink(outside / (std::string(extension) == ".work" ? "" : "mine"), link);
+    if (std::string(extension) == ".lock")
+      EXPECT_ANY_THROW(StoreLock(store, "q-a"));
+    else
+      refused("q-a", link);
+    fs::remove(link);
+  }
+  fs::create_directory_symlink(outside, directory.path() / "p");
+  refused("p-a", directory.path() / "p");
+  EXPECT_EQ(std::distance(fs::directory_iterator(outside), {}), 1) << "no lock is made there";
+  EXPECT_NO_THROW(StoreLock(store, "q-a"));
+}
+
 struct Kept {
   std::string key;
 };
