@@ -180,44 +180,20 @@ void finish_record(const TomlTable& run, const CaseDefinition& definition, Recor
   record.uncertainty = run.find("uncertainty", positive(record.unit));
 }
 
-// The columns of the quantiles of the experiment's repeats.
-std::optional<std::pair<std::string, std::string>> band_columns(const TomlTable& run) {
-  if (!run.has("lower_column") && !run.has("upper_column")) return std::nullopt;
-  return std::pair{run.get("lower_column", any_text()), run.get("upper_column", any_text())};
-}
-
-std::vector<double> read_column(const RecordRun& record, TimeColumns columns,
-                                const std::string& value, double factor) {
-  columns.value = value;
-  std::vector<double> values = read_time_columns(record.file, columns).value;
-  for (double& one : values) one *= factor;
-  return values;
-}
-
-void read_band(const TomlTable& run, const TimeColumns& columns,
-               const std::pair<std::string, std::string>& edges, double factor, RecordRun& record) {
-  record.lower = read_column(record, columns, edges.first, factor);
-  record.upper = read_column(record, columns, edges.second, factor);
-  for (std::size_t i = 0; i < record.time.size(); ++i)
-    if (!(record.lower[i] <= record.upper[i]))
-      run.refuse("upper_column",
-                 fmt::format("a column whose values are nowhere below those of lower_column; at "
-                             "{:.6g} s they are",
-                             record.time[i]));
-}
-
 // Checks the keys even if the record is absent.
 void finish_experiment(const TomlTable& run, const CaseDefinition& definition, RecordRun& record) {
   record.unit = unit_of(record.quantity);
   const std::string unit =
       run.choice("unit", "a unit of " + record.quantity, unit_names(record.unit));
   const double si = si_value(unit, record.unit);
-  const TimeColumns columns{run.get("time_column", any_text()),
-                            run.get("value_column", any_text()),
-                            {"unit", unit, record.quantity, record.unit}};
+  TimeColumns columns{run.get("time_column", any_text()),
+                      run.get("value_column", any_text()),
+                      {"unit", unit, record.quantity, record.unit}};
   const double factor = si * run.find("scale", positive("1")).value_or(1);
   const double offset = time_offset(run);
-  const auto edges = band_columns(run);
+  record.has_band = run.has("lower_column") || run.has("upper_column");
+  const std::string lower = record.has_band ? run.get("lower_column", any_text()) : "",
+                    upper = record.has_band ? run.get("upper_column", any_text()) : "";
   const std::filesystem::path& experiments = definition.experiments;
   const bool named = !experiments.empty();
   record.file =
@@ -225,15 +201,27 @@ void finish_experiment(const TomlTable& run, const CaseDefinition& definition, R
       std::filesystem::path(run.get("experiment", path_below_experiments("a CSV file's")));
   record.uncertainty = run.find("uncertainty", positive(unit));
   if (record.uncertainty) *record.uncertainty *= si;
-  record.has_band = edges.has_value();
   record.supplied = named && is_record_in(experiments, run, "experiment", record.file);
   if (!record.supplied) return;
-  TimeTable table = read_time_columns(record.file, columns);
+  const auto read = [&](const std::string& column) {
+    columns.value = column;
+    TimeTable table = read_time_columns(record.file, columns);
+    for (double& value : table.value) value *= factor;
+    return table;
+  };
+  TimeTable table = read(columns.value);
   record.time = std::move(table.time);
   for (double& time : record.time) time += offset;
   record.value = std::move(table.value);
-  for (double& value : record.value) value *= factor;
-  if (edges) read_band(run, columns, *edges, factor, record);
+  if (!record.has_band) return;
+  record.lower = read(lower).value;
+  record.upper = read(upper).value;
+  for (std::size_t i = 0; i < record.time.size(); ++i)
+    if (!(record.lower[i] <= record.upper[i]))
+      run.refuse("upper_column",
+                 fmt::format("a column whose values are nowhere below those of lower_column; at "
+                             "{:.6g} s they are",
+                             record.time[i]));
 }
 
 using Solver = decltype(RunDefinition::solver);

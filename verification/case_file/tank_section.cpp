@@ -6,6 +6,7 @@
 
 #include "verification/case/motion.hpp"
 #include "verification/case/shape/outline.hpp"
+#include "verification/case/shape/sensor_place.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
@@ -30,33 +31,16 @@ void refuse_swallowed_gauges(const TomlTable& table, const ObstacleDefinition& o
   }
 }
 
-bool touches(const ObstacleDefinition& obstacle, Wall wall, const TankDefinition& tank) {
-  switch (wall) {
-    case Wall::left:
-      return obstacle.left == 0;
-    case Wall::right:
-      return obstacle.right == tank.length;
-    case Wall::roof:
-      return obstacle.top == tank.height;
-    case Wall::bottom:
-      break;
-  }
-  return obstacle.bottom == 0;
-}
-
 // A sensor that touches an obstacle at its wall measures the obstacle.
 void refuse_covered_sensors(const TomlTable& table, const ObstacleDefinition& obstacle,
                             const CaseDefinition& definition) {
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges) {
-    const bool is_level = gauge.wall == Wall::bottom || gauge.wall == Wall::roof;
-    const double first = is_level ? obstacle.left : obstacle.bottom;
-    const double last = is_level ? obstacle.right : obstacle.top;
-    if (!touches(obstacle, gauge.wall, definition.tank) ||
-        gauge.position + gauge.width / 2 < first || gauge.position - gauge.width / 2 > last)
-      continue;
-    table.refuse("name", fmt::format("an obstacle elsewhere: it covers the pressure gauge {} at {} "
-                                     "m",
-                                     gauge.name, gauge.position));
+    const auto [first, last] = sensor_ends(definition.tank, gauge);
+    if (last.x >= obstacle.left && first.x <= obstacle.right && last.z >= obstacle.bottom &&
+        first.z <= obstacle.top)
+      table.refuse("name", fmt::format("an obstacle elsewhere: it covers the pressure gauge {} at "
+                                       "{} m",
+                                       gauge.name, gauge.position));
   }
 }
 

@@ -25,22 +25,12 @@ constexpr EnumName<RefinedNumber> refined_number_names[] = {
 
 // Returns the run without the refined number.
 SphRun without(SphRun run, RefinedNumber number) {
-  switch (number) {
-    case RefinedNumber::particle_spacing:
-      run.particle_spacing = run.surface_particle_spacing = 0;
-      break;
-    case RefinedNumber::smoothing_length_ratio:
-      run.numbers.smoothing_length_ratio.reset();
-      break;
-    case RefinedNumber::speed_of_sound:
-      run.numbers.sound_speed_ratio.reset();
-      break;
-    case RefinedNumber::courant_number:
-      run.numbers.courant_number.reset();
-      break;
-    case RefinedNumber::mesh:
-      break;
-  }
+  SphNumbers& numbers = run.numbers;
+  if (number == RefinedNumber::particle_spacing)
+    run.particle_spacing = run.surface_particle_spacing = 0;
+  if (number == RefinedNumber::smoothing_length_ratio) numbers.smoothing_length_ratio.reset();
+  if (number == RefinedNumber::speed_of_sound) numbers.sound_speed_ratio.reset();
+  if (number == RefinedNumber::courant_number) numbers.courant_number.reset();
   run.energy_budget = false;  // it only records
   return run;
 }
