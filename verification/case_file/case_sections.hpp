@@ -92,9 +92,11 @@ Rule<int> modes_of_outline(const CaseDefinition& definition);
 void refuse_overlaps(const std::vector<TomlTable>& tables,
                      const std::vector<ObstacleDefinition>& obstacles);
 
-// Reads the keys of [comparison] that tell the forcing frequency of a motion table. The
-// definition's motion and its comparison's window must have been read.
-void read_forcing(const TomlTable& comparison, CaseDefinition& definition);
+// The keys of the three ways to give a frequency, of which a table uses one, and what it gives
+// [rad/s]; nullopt where none is there.
+std::vector<std::string> names_of_frequency(const std::string& prefix = "");
+std::optional<double> find_angular_frequency(const TomlTable& table,
+                                             const std::string& prefix = "");
 
 // A motion's CSV file.
 struct TableFile {
@@ -130,6 +132,9 @@ Rule<double> a_particle_spacing(const CaseDefinition& definition);
 // their series alike; their settings and directories may differ.
 void refuse_shared_method(const TomlTable& table, const RunDefinition& run,
                           const CaseDefinition& definition);
+
+// Reads what the rows of gate_table do not.
+void finish_gate_row(const TomlTable& row, const CaseDefinition& definition, GateRow& gate_row);
 
 // Returns the rows of a [[gate]]. The definition's runs must have been read.
 std::vector<TomlTable> gate_rows(const TomlTable& group, const CaseDefinition& definition);

@@ -323,7 +323,9 @@ bool takes_reference(const TomlTable& row) {
   return true;
 }
 
-void finish_row(const TomlTable& row, const CaseDefinition& definition, GateRow& gate_row) {
+}  // namespace
+
+void finish_gate_row(const TomlTable& row, const CaseDefinition& definition, GateRow& gate_row) {
   gate_row.candidate = row.choice("candidate", "a run", candidates(definition));
   const MetricEntry& metric = read_metric(row);
   gate_row.metric = metric.metric;
@@ -349,63 +351,6 @@ void finish_row(const TomlTable& row, const CaseDefinition& definition, GateRow&
   gate_row.where = row.where();
   refuse_second_bound(row, definition, gate_row);
 }
-
-}  // namespace
-
-const FieldTable<GateRow> gate_table{
-    {"gate", "[[gate]]", "no",
-     "One requirement, or with candidates, modes and limits several: one for each run, mode and "
-     "metric that they list. Exactly one of limit, lower with upper, and improves_on is given for "
-     "each metric. No two rows have the same candidate, reference, quantity, mode, metric, error, "
-     "part and improves_on."},
-    with_origin<GateRow>(
-        {{{"candidate", text("run name"), where("where candidates is absent"),
-           "The run that is judged. A record is never a candidate."}},
-         {{"candidates", list("list of run names or patterns"), no,
-           "In place of candidate: runs, or patterns such as recommended_*, each of which must "
-           "match a run. A pattern never means the reference."}},
-         {{"reference", text("run name"),
-           where("yes, but refused with a metric of the candidate alone or of impacts"),
-           "What the candidate is compared with; for a metric of fields an OpenFOAM run. Beside "
-           "limits it is that of the metrics that take one."}},
-         {{"quantity", text("quantity"), no,
-           "A compared quantity, below. A metric of the candidate alone takes any series, one of "
-           "impacts the pressure at their gauge, one of fields pressure_field, and a row against "
-           "a record the record's quantity, of a pressure also the filtered one. Default: the "
-           "case's first, which is that of its first gauge but for a dam's front."}},
-         {{"mode", text(), no,
-           "forced, forced_1, ..., natural_1, ..., impact_1, ..., moment_1, ..., or whole, as the "
-           "metric asks. Of impacts and of several forced modes one must be named. Default: "
-           "forced where the tank moves and the metric can be of it, else natural_1; whole for "
-           "the other metrics."}},
-         {{"modes", list("list of texts"), no, "In place of mode: a row for each."}},
-         {{"metric", text(), where("where limits is absent"), "One of the metrics below."}},
-         {{"limits", KeyValue{KeyKind::limits, "table of metrics"}, no,
-           "In place of metric and its bound: each metric with its limit, as in limits.phase_lag "
-           "= 5, or with a table of the keys that differ from those of the group, as in "
-           "limits.phase_lag = { lower = 0, upper = 5, reason = \"...\" }."}},
-         {{"unit", text(), no,
-           "The metric's unit, which a series that is not compared must name for a metric that "
-           "has the quantity's. Default: the unit that it must be."}},
-         {{"limit", number().above(0), one_of_three(),
-           "The largest magnitude that passes. cost_to_reach takes only a limit."}},
-         {{"lower", number(), one_of_three(),
-           "With upper: the range that passes, narrower than twice the widest bound. The p-values "
-           "take only a range."}},
-         {{"upper", number().above(Bound("lower")), beside("lower")}},
-         {{"improves_on", text("run name"), one_of_three(),
-           "The candidate must be nearer to zero than this third run, by more than the "
-           "intervals."}},
-         field("error", &GateRow::error, number().above(0).below(1).noting(": a normalised rms"),
-               with("metric", "cost_to_reach", " alone"),
-               "The normalised rms error whose cost is bounded."),
-         {{"part_begin_s", number("s").at_least(0), no,
-           "The begin of the part of the run over which the row is judged. Default with "
-           "part_end_s: 0. With neither: the comparison's window, of a series of the candidate "
-           "alone the whole run."}},
-         {{"part_end_s", number("s").above(Bound("part_begin_s")).at_most(case_duration), no,
-           "The end of that part. Default with part_begin_s: duration_s."}}}),
-    finish_row};
 
 // A pattern never means the reference, which the row rule would refuse as a candidate. In a group
 // the reference is that of the metrics that take one.

@@ -11,7 +11,6 @@
 #include "verification/case/motion/motion_times.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/fits/dominant_sine.hpp"
 #include "verification/input/input_files.hpp"
 #include "verification/input/tables/time_table.hpp"
 
@@ -116,36 +115,6 @@ TableMotion motion_of(const TableFile& table, const TimeTable& rows) {
   return motion;
 }
 
-const TableMotion* surge_table(const MotionDefinition& motion) {
-  return motion.surge ? std::get_if<TableMotion>(&*motion.surge) : nullptr;
-}
-
-const TableMotion* roll_table(const MotionDefinition& motion) {
-  return motion.roll ? std::get_if<TableMotion>(&motion.roll->angle) : nullptr;
-}
-
-void find_in_spectrum(const TomlTable& comparison, CaseDefinition& definition) {
-  const TableMotion *surge = surge_table(definition.motion), *roll = roll_table(definition.motion);
-  if (surge && roll)
-    comparison.refuse("forcing",
-                      "forcing_frequency_Hz instead, as two tables have no spectrum in common");
-  const TableMotion& table = surge ? *surge : *roll;
-  try {
-    const DominantSine sine = dominant_sine(
-        {table.file.filename().string(), surge ? "m" : "rad", table.time, table.value},
-        {definition.window_begin, definition.window_end});
-    definition.declared_forcing_frequency = sine.angular_frequency.value;
-    definition.found_forcing = {sine.angular_frequency.half_width, sine.rest};
-  } catch (const ComparisonError& error) {
-    comparison.refuse(
-        "forcing",
-        fmt::format("a motion table that is nearly one sine from {:g} to {:g} s, the window of the "
-                    "comparison; {}. Write forcing_frequency_Hz or forcing_period_s instead to "
-                    "name the frequency that is meant",
-                    definition.window_begin, definition.window_end, error.what()));
-  }
-}
-
 // The three ways to give a frequency, of which a table uses one.
 struct FrequencyKey {
   const char *name, *unit;
@@ -157,26 +126,6 @@ constexpr FrequencyKey frequency_keys[] = {
     {"angular_frequency_rad_s", "rad/s", [](double angular) { return angular; }},
     {"frequency_Hz", "Hz", [](double frequency) { return full_turn * frequency; }},
     {"period_s", "s", [](double period) { return full_turn / period; }}};
-
-std::vector<std::string> names_of_frequency(const std::string& prefix = "") {
-  std::vector<std::string> names;
-  for (const FrequencyKey& key : frequency_keys) names.push_back(prefix + key.name);
-  return names;
-}
-
-// Returns what the table gives at one of the keys [rad/s], or nullopt where none is there.
-std::optional<double> find_angular_frequency(const TomlTable& table,
-                                             const std::string& prefix = "") {
-  std::optional<double> found;
-  for (const FrequencyKey& key : frequency_keys) {
-    const std::string name = prefix + key.name;
-    if (found && table.has(name))
-      table.refuse(name,
-                   fmt::format("exactly one of {}", fmt::join(names_of_frequency(prefix), " | ")));
-    if (const auto given = table.find(name, positive(key.unit))) found = key.angular(*given);
-  }
-  return found;
-}
 
 // [tank lengths]. With an axis further away, a roll becomes a surge and rounding errors become
 // noise.
@@ -355,6 +304,24 @@ std::vector<KeyTable> tables_of(const HistoryForm& form, const std::string& mean
 
 }  // namespace
 
+std::vector<std::string> names_of_frequency(const std::string& prefix) {
+  std::vector<std::string> names;
+  for (const FrequencyKey& key : frequency_keys) names.push_back(prefix + key.name);
+  return names;
+}
+
+std::optional<double> find_angular_frequency(const TomlTable& table, const std::string& prefix) {
+  std::optional<double> found;
+  for (const FrequencyKey& key : frequency_keys) {
+    const std::string name = prefix + key.name;
+    if (found && table.has(name))
+      table.refuse(name,
+                   fmt::format("exactly one of {}", fmt::join(names_of_frequency(prefix), " | ")));
+    if (const auto given = table.find(name, positive(key.unit))) found = key.angular(*given);
+  }
+  return found;
+}
+
 TableMotion read_surge_table(const TableFile& table) {
   return motion_of(table, read_rows(table, "displacement_m", "acceleration_m_s2"));
 }
@@ -379,20 +346,6 @@ TableMotion read_roll_table(const TableFile& table) {
   for (double& angle : motion.value) angle *= radians_per_degree;
   motion.largest *= radians_per_degree;
   return motion;
-}
-
-void read_forcing(const TomlTable& comparison, CaseDefinition& definition) {
-  const bool has_table = surge_table(definition.motion) || roll_table(definition.motion);
-  definition.declared_forcing_frequency = find_angular_frequency(comparison, "forcing_");
-  const std::vector<std::string> keys = names_of_frequency("forcing_");
-  for (const char* key : {keys[0].c_str(), keys[1].c_str(), keys[2].c_str(), "forcing"})
-    if (comparison.has(key) && !has_table)
-      comparison.refuse(key, "no such key without a motion table: a sine has its own frequency");
-  if (!comparison.has("forcing")) return;
-  comparison.choice("forcing", "how the frequency of a motion table is known", {"from_spectrum"});
-  for (const std::string& key : keys)
-    if (comparison.has(key)) comparison.refuse(key, "no such key beside forcing");
-  find_in_spectrum(comparison, definition);
 }
 
 const FieldTable<MotionDefinition> motion_table{

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/fits/dominant_sine.hpp"
 
 namespace slosh {
 
@@ -69,6 +70,50 @@ void list_times(const TomlTable& animation, const CaseDefinition& definition, An
                stride = std::round(interval / definition.sample_interval);
   for (long i = 0; i < count; ++i)
     read.times.push_back((first + static_cast<double>(i) * stride) * definition.sample_interval);
+}
+
+const TableMotion* surge_table(const MotionDefinition& motion) {
+  return motion.surge ? std::get_if<TableMotion>(&*motion.surge) : nullptr;
+}
+
+const TableMotion* roll_table(const MotionDefinition& motion) {
+  return motion.roll ? std::get_if<TableMotion>(&motion.roll->angle) : nullptr;
+}
+
+void find_in_spectrum(const TomlTable& comparison, CaseDefinition& definition) {
+  const TableMotion *surge = surge_table(definition.motion), *roll = roll_table(definition.motion);
+  if (surge && roll)
+    comparison.refuse("forcing",
+                      "forcing_frequency_Hz instead, as two tables have no spectrum in common");
+  const TableMotion& table = surge ? *surge : *roll;
+  try {
+    const DominantSine sine = dominant_sine(
+        {table.file.filename().string(), surge ? "m" : "rad", table.time, table.value},
+        {definition.window_begin, definition.window_end});
+    definition.declared_forcing_frequency = sine.angular_frequency.value;
+    definition.found_forcing = {sine.angular_frequency.half_width, sine.rest};
+  } catch (const ComparisonError& error) {
+    comparison.refuse(
+        "forcing",
+        fmt::format("a motion table that is nearly one sine from {:g} to {:g} s, the window of the "
+                    "comparison; {}. Write forcing_frequency_Hz or forcing_period_s instead to "
+                    "name the frequency that is meant",
+                    definition.window_begin, definition.window_end, error.what()));
+  }
+}
+
+void read_forcing(const TomlTable& comparison, CaseDefinition& definition) {
+  const bool has_table = surge_table(definition.motion) || roll_table(definition.motion);
+  definition.declared_forcing_frequency = find_angular_frequency(comparison, "forcing_");
+  const std::vector<std::string> keys = names_of_frequency("forcing_");
+  for (const char* key : {keys[0].c_str(), keys[1].c_str(), keys[2].c_str(), "forcing"})
+    if (comparison.has(key) && !has_table)
+      comparison.refuse(key, "no such key without a motion table: a sine has its own frequency");
+  if (!comparison.has("forcing")) return;
+  comparison.choice("forcing", "how the frequency of a motion table is known", {"from_spectrum"});
+  for (const std::string& key : keys)
+    if (comparison.has(key)) comparison.refuse(key, "no such key beside forcing");
+  find_in_spectrum(comparison, definition);
 }
 
 void end_window(const TomlTable& comparison, const CaseDefinition&, CaseDefinition& read) {

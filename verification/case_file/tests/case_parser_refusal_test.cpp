@@ -19,6 +19,7 @@ const std::map<std::string, std::string> more{
     {"row", valid_text.substr(valid_text.find("[[gate]]"))},
     {"block",
      "[[obstacle]]\nname = \"block\"\nleft_m = 0.9\nright_m = 1.1\nbottom_m = 0\ntop_m = 0.3\n"},
+    {"sensor", "[[pressure_gauge]]\nname = \"b\"\nwall = \"left\"\nposition_m = 0.1\n"},
     {"probe", "[[probe]]\nname = \"a\"\nx_m = 1\nz_m = 0.2\n"},
     {"uncertain_depth",
      "[[input]]\nname = \"fill_depth\"\nhalf_width = 0.0005\nunit = \"m\"\nsource = \"a "
@@ -245,6 +246,39 @@ run(coarse).initial_state = "projected" & run(coarse).start_rotation_deg = 20: e
 + gate.reference is missing & gate.quantity = "highest_surface@left" & gate.mode = "whole" & gate.metric = "largest_magnitude"
 gate.unit = "m": accepted
 gate.unit = "mm": expected the unit of highest_surface@left, which is m
++ sensor
+pressure_gauge.wall is missing: expected a wall, one of left, right, bottom
+pressure_gauge.wall = "lift": expected a wall, one of left, right, bottom, roof; nearest: left
+pressure_gauge.position_m is missing: expected a number from 0 to the tank's height (1), in m from
+  the bottom
+pressure_gauge.position_m = 1.001: expected a number from 0 to the tank's height (1)
+pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 2.1: expected a number from 0 to the
+  tank's length (2), in m from the left wall
+pressure_gauge.wall = "roof" & pressure_gauge.position_m = 2.1: expected a number from 0 to the
+  tank's length (2), in m from the left wall
+pressure_gauge.position_m = 0.005 & pressure_gauge.width_m = 0.011: expected a number >= 0 and <=
+  0.01, in m: the whole sensor lies on the wall
+pressure_gauge.filter_cutoff_Hz = 50: expected a number > 0 and below half the sampling rate (50), in
+  Hz
++ sensor + sensor
+-> pressure_gauge.name = "b": expected a name that no other pressure_gauge has
++ sensor + step + pressure_gauge.position_m = 0.205 & pressure_gauge.width_m = 0.02 & obstacle.right_m = 0.3 & obstacle.top_m = 0.2
+-> obstacle.name = "step": expected an obstacle elsewhere: it covers the pressure gauge b at 0.205 m
+pressure_gauge.position_m = 0.215: accepted
+pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 0.1 -> obstacle.name = "step": expected
+pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 0.4: accepted
+pressure_gauge.wall = "right" & pressure_gauge.position_m = 0.1: accepted
+pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 0.1 & obstacle.bottom_m = 0.1: accepted
+pressure_gauge.wall = "roof" & pressure_gauge.position_m = 0.1 & obstacle.bottom_m = 0.8 &
+  obstacle.top_m = 1 -> obstacle.name = "step": expected
+pressure_gauge.wall = "roof" & pressure_gauge.position_m = 0.1 & obstacle.bottom_m = 0.8 &
+  obstacle.top_m = 0.9: accepted
+pressure_gauge.wall = "right" & pressure_gauge.position_m = 0.3 & obstacle.left_m = 1.8 &
+  obstacle.right_m = 2 & obstacle.bottom_m = 0.25 & obstacle.top_m = 0.4 -> obstacle.name = "step":
+  expected
++ sensor + pressure_gauge.wall is missing & pressure_gauge.position_m is missing & pressure_gauge.z_m = 0
+pressure_gauge.x_m = 1: expected no x_m in a rectangular tank, where wall and position_m tell a
+  sensor's place
 )");
 }
 

@@ -49,50 +49,6 @@ TEST(PressureGauge, MayBeTheOnlyGauge) {
                                       "momentum_z"}));
 }
 
-TEST(PressureGauge, IsRefusedWhereItMakesNoSense) {
-  const std::string keys = "name = \"b\"\nwall = \"left\"\nposition_m = 0.1\n";
-  expect_refusals(with_gauge(keys), R"(
-pressure_gauge.wall is missing: expected a wall, one of left, right, bottom
-pressure_gauge.wall = "lift": expected a wall, one of left, right, bottom, roof; nearest: left
-pressure_gauge.position_m is missing: expected a number from 0 to the tank's height (1), in m from
-  the bottom
-pressure_gauge.position_m = 1.001: expected a number from 0 to the tank's height (1)
-pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 2.1: expected a number from 0 to the
-  tank's length (2), in m from the left wall
-pressure_gauge.wall = "roof" & pressure_gauge.position_m = 2.1: expected a number from 0 to the
-  tank's length (2), in m from the left wall
-pressure_gauge.position_m = 0.005 & pressure_gauge.width_m = 0.011: expected a number >= 0 and <=
-  0.01, in m: the whole sensor lies on the wall
-pressure_gauge.filter_cutoff_Hz = 50: expected a number > 0 and below half the sampling rate (50), in
-  Hz
-)");
-  expect_refusals(with_gauge(keys + "[[pressure_gauge]]\n" + keys), R"(
--> pressure_gauge.name = "b": expected a name that no other pressure_gauge has
-)");
-}
-
-TEST(PressureGauge, IsNotBehindAnObstacle) {
-  const std::string gauge =
-      "name = \"b\"\nwall = \"left\"\nposition_m = 0.205\nwidth_m = 0.02\n[[obstacle]]\n";
-  expect_refusals(
-      with_gauge(gauge + "name = \"step\"\nleft_m = 0\nright_m = 0.3\nbottom_m = 0\ntop_m = 0.2\n"),
-      R"(
--> obstacle.name = "step": expected an obstacle elsewhere: it covers the pressure gauge b at 0.205 m
-pressure_gauge.position_m = 0.215: accepted
-pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 0.1 -> obstacle.name = "step": expected
-pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 0.4: accepted
-pressure_gauge.wall = "right" & pressure_gauge.position_m = 0.1: accepted
-pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 0.1 & obstacle.bottom_m = 0.1: accepted
-pressure_gauge.wall = "roof" & pressure_gauge.position_m = 0.1 & obstacle.bottom_m = 0.8 &
-  obstacle.top_m = 1 -> obstacle.name = "step": expected
-pressure_gauge.wall = "roof" & pressure_gauge.position_m = 0.1 & obstacle.bottom_m = 0.8 &
-  obstacle.top_m = 0.9: accepted
-pressure_gauge.wall = "right" & pressure_gauge.position_m = 0.3 & obstacle.left_m = 1.8 &
-  obstacle.right_m = 2 & obstacle.bottom_m = 0.25 & obstacle.top_m = 0.4 -> obstacle.name = "step":
-  expected
-)");
-}
-
 TEST(ComparedQuantities, HaveTheCasesElevationsFirstAndThenItsWallPressures) {
   CaseDefinition definition{};
   definition.gauges = {{"right", 1.95}};
