@@ -502,6 +502,7 @@ struct CaseDefinition {
   std::vector<GateRow> gate;
   std::string text;  // the file as read
   std::filesystem::path file;
+  std::filesystem::path experiments = {};  // the directory of the user's records; may be empty
 };
 
 // Returns the definition of a run. Throws std::invalid_argument for a name that no run has.

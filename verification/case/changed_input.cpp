@@ -25,10 +25,6 @@ void stretch(TableMotion& table, double factor) {
   for (double& time : table.time) time *= factor;
 }
 
-void stretch_time(MotionHistory& motion, double factor) {
-  std::visit([&](auto& one) { stretch(one, factor); }, motion);
-}
-
 // The change has the motion's own unit, [m] or [rad].
 void raise(SineMotion& sine, double change) { sine.amplitude += change; }
 // The amplitude of a sum is that of the sines together; they keep their ratios.
@@ -47,11 +43,18 @@ void raise_amplitude(MotionHistory& motion, double change) {
   std::visit([&](auto& one) { raise(one, change); }, motion);
 }
 
+// Calls it with the histories of the surge and the roll, as far as there are any.
+void of_each_motion(CaseDefinition& definition, const auto& call) {
+  if (definition.motion.surge) call(*definition.motion.surge);
+  if (definition.motion.roll) call(definition.motion.roll->angle);
+}
+
 void stretch_period(CaseDefinition& definition, double change) {
   const double period = 2 * pi / forcing_frequency(definition);
   const double factor = 1 + change / period;
-  if (definition.motion.surge) stretch_time(*definition.motion.surge, factor);
-  if (definition.motion.roll) stretch_time(definition.motion.roll->angle, factor);
+  of_each_motion(definition, [&](MotionHistory& motion) {
+    std::visit([&](auto& one) { stretch(one, factor); }, motion);
+  });
   if (definition.declared_forcing_frequency) *definition.declared_forcing_frequency /= factor;
 }
 
@@ -63,16 +66,14 @@ void change_amplitude(CaseDefinition& definition, double change) {
 
 // In a tank that surges and rolls, both motions start elsewhere.
 void change_start(CaseDefinition& definition, double degrees) {
-  const auto change = [radians = degrees * pi / 180](MotionHistory& motion) {
+  of_each_motion(definition, [radians = degrees * pi / 180](MotionHistory& motion) {
     if (auto* sine = std::get_if<SineMotion>(&motion))
       sine->phase += radians;
     else if (auto* sum = std::get_if<SumOfSines>(&motion))
       for (SineMotion& one : sum->sines) one.phase += radians;
     else
       throw std::logic_error("a table's start has no phase");
-  };
-  if (definition.motion.surge) change(*definition.motion.surge);
-  if (definition.motion.roll) change(definition.motion.roll->angle);
+  });
 }
 
 void move_gauges(CaseDefinition& definition, double change) {

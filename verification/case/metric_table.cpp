@@ -109,31 +109,19 @@ constexpr std::array<MetricEntry, metric_count> metrics = metric_rows();
 
 enum class Modes { fitted, natural, impacts, whole };
 
-// What holds for all metrics that are measured on the same.
-struct MeasuredOnRow {
-  MeasuredOn on;
-  Modes modes;
-  bool is_of_a_pair = false;
-};
-
-constexpr MeasuredOnRow rows_of_measured[] = {{MeasuredOn::any_mode, Modes::fitted, true},
-                                              {MeasuredOn::natural_mode, Modes::natural, true},
-                                              {MeasuredOn::whole_window, Modes::whole, true},
-                                              {MeasuredOn::oscillation, Modes::whole, true},
-                                              {MeasuredOn::front, Modes::whole, true},
-                                              {MeasuredOn::band, Modes::whole, true},
-                                              {MeasuredOn::own_series, Modes::whole},
-                                              {MeasuredOn::own_mode, Modes::natural},
-                                              {MeasuredOn::impact, Modes::impacts},
-                                              {MeasuredOn::repeated_impact, Modes::impacts},
-                                              {MeasuredOn::plateau, Modes::whole},
-                                              {MeasuredOn::field, Modes::whole},
-                                              {MeasuredOn::cost, Modes::whole}};
-
-const MeasuredOnRow& row_of_measured(const MetricEntry& metric) {
-  for (const MeasuredOnRow& row : rows_of_measured)
-    if (row.on == metric.measured_on) return row;
-  throw std::logic_error("a metric that is measured on nothing");
+Modes modes_of(const MetricEntry& metric) {
+  switch (metric.measured_on) {
+    case MeasuredOn::any_mode:
+      return Modes::fitted;
+    case MeasuredOn::natural_mode:
+    case MeasuredOn::own_mode:
+      return Modes::natural;
+    case MeasuredOn::impact:
+    case MeasuredOn::repeated_impact:
+      return Modes::impacts;
+    default:
+      return Modes::whole;
+  }
 }
 
 constexpr bool are_in_the_order_of_the_enumeration() {
@@ -165,7 +153,12 @@ std::string metric_unit(Metric metric, const std::string& quantity_unit) {
   return unit.empty() ? quantity_unit : unit;
 }
 
-bool is_of_a_pair(const MetricEntry& metric) { return row_of_measured(metric).is_of_a_pair; }
+bool is_of_a_pair(const MetricEntry& metric) {
+  using enum MeasuredOn;
+  constexpr MeasuredOn of_pairs[] = {any_mode,    natural_mode, whole_window,
+                                     oscillation, front,        band};
+  return std::ranges::count(of_pairs, metric.measured_on) > 0;
+}
 
 bool is_of_candidate_alone(Metric metric) {
   const MeasuredOn measured_on = metric_entry(metric).measured_on;
@@ -196,7 +189,7 @@ bool is_angle(Metric metric) { return metric_entry(metric).unit == std::string("
 std::vector<std::string> measured_modes(const MetricEntry& metric,
                                         const std::vector<std::string>& fitted, bool is_front) {
   std::vector<std::string> natural;
-  switch (row_of_measured(metric).modes) {
+  switch (modes_of(metric)) {
     case Modes::fitted:
       return fitted;
     case Modes::natural:
@@ -214,9 +207,8 @@ std::vector<std::string> measured_modes(const MetricEntry& metric,
 }
 
 std::optional<std::string> default_mode(const MetricEntry& metric) {
-  const Modes modes = row_of_measured(metric).modes;
-  if (modes == Modes::fitted) return "forced";
-  if (modes == Modes::whole) return "whole";
+  if (modes_of(metric) == Modes::fitted) return "forced";
+  if (modes_of(metric) == Modes::whole) return "whole";
   return std::nullopt;
 }
 

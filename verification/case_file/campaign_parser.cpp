@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/groups.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/input_files.hpp"
@@ -23,12 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int campaign_schema_version = 1;
-
-Rule<std::string> known_paper() {
-  return {"one of li2010 | zhao2021",
-          [](const std::string& paper) { return paper == "li2010" || paper == "zhao2021"; },
-          "li2010"};
-}
 
 // The messages begin with the member's place in the campaign file.
 fs::path find_member(const PlacedText& member, const CampaignDefinition& campaign,
@@ -53,14 +46,6 @@ fs::path find_member(const PlacedText& member, const CampaignDefinition& campaig
   return file;
 }
 
-void read_head(const TomlTable& head, CampaignDefinition& campaign) {
-  head.allow_only(keys_of("campaign"));
-  campaign.name = head.get("name", file_safe_name());
-  campaign.title = head.get("title", any_text());
-  campaign.source = head.get("source", any_text());
-  campaign.paper = head.find("paper", known_paper()).value_or("");
-}
-
 bool is_over(const TomlTable& sweep, const CaseDefinition& definition) {
   const std::vector<PlacedText> cases = sweep.texts("cases", any_text());
   return std::any_of(cases.begin(), cases.end(), [&](const PlacedText& one) {
@@ -68,9 +53,8 @@ bool is_over(const TomlTable& sweep, const CaseDefinition& definition) {
   });
 }
 
-void add_run(const TomlTable& run, const TomlTable& sweep, const std::filesystem::path& experiments,
-             CaseDefinition& definition) {
-  for (const RunDefinition& read : read_runs(run, definition, experiments)) {
+void add_run(const TomlTable& run, const TomlTable& sweep, CaseDefinition& definition) {
+  for (const RunDefinition& read : read_runs(run, definition)) {
     for (const RunDefinition& other : definition.runs)
       if (other.name == read.name)
         sweep.refuse("name", fmt::format("a pattern that names each run apart: {} has a run {}",
@@ -82,8 +66,7 @@ void add_run(const TomlTable& run, const TomlTable& sweep, const std::filesystem
       if (group.has(key))
         group.refuse(key, "no such key in [[sweep.gate]]: its rows are of each run of the sweep");
     for (const TomlTable& row : gate_rows(group, definition))
-      definition.gate.push_back(
-          read_gate_row(row.with("candidate", run.written("name")), definition));
+      definition.gate.push_back(gate_table(row.with("candidate", run.written("name")), definition));
   }
 }
 
@@ -129,19 +112,16 @@ void read_bounds(const TomlTable& row, ProblemGateRow& gate_row) {
 }
 
 ProblemGateRow read_row(const TomlTable& row, const KnownProblem& problem) {
-  ProblemGateRow gate_row{};
+  ProblemGateRow gate_row = problem_gate_table(row, {});
+  if (gate_row.source.empty()) gate_row.source = measured_before;
   gate_row.measure = row.choice("measure", fmt::format("a measure of {}", problem.name),
                                 names_of(problem.measures));
-  gate_row.metric = row.choice("metric", "a metric", problem_metric_names);
   const std::string unit =
       is_order(gate_row.metric) ? "1" : named(problem.measures, gate_row.measure).unit;
   if (row.has("unit"))
     row.choice("unit", fmt::format("the unit of {}", metric_name(gate_row.metric)), {unit});
   gate_row.unit = unit;
   read_bounds(row, gate_row);
-  gate_row.kind = read_row_kind(row);
-  gate_row.reason = row.get("reason", any_text());
-  gate_row.source = read_row_source(row, gate_row.kind);
   gate_row.where = row.where();
   return gate_row;
 }
@@ -195,6 +175,44 @@ CampaignDefinition campaign_of_case(const TomlTable& root, CampaignDefinition ca
 
 }  // namespace
 
+const FieldTable<CampaignDefinition> campaign_table{
+    {"campaign", "Top level of a campaign file", "yes",
+     "A campaign names what is run, gated and reported together: at least one case or problem."},
+    {{{"schema_version", constant("1"), yes, "The version of this format."}},
+     field("name", &CampaignDefinition::name, name(), yes, "The name of the campaign."),
+     field("title", &CampaignDefinition::title, text(), yes, "The title in reports."),
+     field("source", &CampaignDefinition::source, text(), yes, "Where the campaign comes from."),
+     field("paper", &CampaignDefinition::paper, one_of({"li2010", "zhao2021"}, "a paper"), no,
+           "The paper whose figures and claims the report shows beside its own."),
+     {{"cases", list("list of texts"), where("where no problem is named"),
+       "Names of shipped cases, or paths relative to the campaign file: a path has a / or ends in "
+       ".toml."}},
+     {{"problem", table("[[problem]]"), no}},
+     {{"sweep", table("[[sweep]]"), no}},
+     {{"timing", table("[timing]"), no}}}};
+
+const FieldTable<ProblemGateRow> problem_gate_table{
+    {"problem.gate", "[[problem.gate]]", "one or more",
+     "One requirement on one measure of the problem, or with measures and limits several, as in "
+     "[[gate]]: each metric of a measure once."},
+    with_origin<ProblemGateRow>(
+        {{{"measure", text(), where("where measures is absent"), "One of the problem's measures."}},
+         {{"measures", list("list of measures or patterns"), no,
+           "In place of measure: measures, or patterns such as slope_*, each of which must match "
+           "one."}},
+         field("metric", &ProblemGateRow::metric, problem_metric_names, "a metric",
+               where("where limits is absent").when(yes.in)),
+         {{"limits", KeyValue{KeyKind::limits, "table of metrics"}, no,
+           "In place of metric and its bound, as in [[gate]]: limits.order_at_least = 1.9."}},
+         {{"unit", text(), no,
+           "1 of an order, else the measure's unit. Default: the unit that it must be."}},
+         {{"limit", number().above(0), where("yes, but refused with order_within"),
+           "The bound. On an error it is below 1 where the error has no unit, and below 1e9 "
+           "elsewhere."}},
+         {{"lower", number(), beside("order_within")}},
+         {{"upper", number().above(Bound("lower")).below(Bound("lower + 2")),
+           beside("order_within")}}})};
+
 const FieldTable<TimingDefinition> timing_table{
     {"timing", "[timing]", "no",
      "Repeats of the runs, each alone on the machine after all other runs."},
@@ -214,8 +232,9 @@ CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_dire
   if (root.has("tank")) return campaign_of_case(root, campaign);
   root.get("schema_version", exactly(campaign_schema_version));  // another version has other rules
   Complaints complaints;
-  complaints.allow(
-      [&] { root.read_all([&](const TomlTable& head) { read_head(head, campaign); }); });
+  complaints.allow([&] {
+    root.read_all([&](const TomlTable& head) { campaign_table.read_into(head, {}, campaign); });
+  });
   std::vector<TomlTable> problems;
   complaints.allow([&] { problems = root.tables("problem"); });
   for (const TomlTable& table : problems)
@@ -225,7 +244,7 @@ CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_dire
   if (root.has("timing"))
     complaints.allow([&] {
       root.table("timing").read_all(
-          [&](const TomlTable& timing) { campaign.timing = timing_table.read_all(timing, {}); });
+          [&](const TomlTable& timing) { campaign.timing = timing_table(timing, {}); });
     });
   if (root.has("cases") || !root.has("problem")) {
     std::vector<PlacedText> members;
@@ -245,13 +264,12 @@ fs::path find_campaign(const std::string& name_or_path, const fs::path& director
   return find_definition_file("campaign", name_or_path, directory, "");
 }
 
-void add_swept_runs(const CampaignDefinition& campaign, const std::filesystem::path& experiments,
-                    CaseDefinition& definition) {
+void add_swept_runs(const CampaignDefinition& campaign, CaseDefinition& definition) {
   const TomlTable root(campaign.text, campaign.file);
   for (const TomlTable& sweep : root.tables("sweep")) {
     if (!is_over(sweep, definition)) continue;
     for (const TomlTable& run : runs_of_group(sweep.without({"cases", "gate"})))
-      add_run(run, sweep, experiments, definition);
+      add_run(run, sweep, definition);
   }
 }
 

@@ -24,14 +24,13 @@ std::filesystem::path find_campaign(const std::string& name_or_path,
 // Runs that a campaign adds to its cases: one for every combination of the values in a [[sweep]].
 //
 //   [[sweep]]       cases: names or globs of the campaign's cases
-//                   the keys of a [[run]] (groups.hpp)
+//                   the keys of a [[run]]
 //   [[sweep.gate]]  optional; as [[gate]] of a case, without candidate: its rows for each
 //                   of these runs
 
-// Adds the runs and gate rows of the campaign's sweeps to the case. `experiments` is the directory
-// of the user's records. Throws CaseFileError with the line of the campaign file.
-void add_swept_runs(const CampaignDefinition& campaign, const std::filesystem::path& experiments,
-                    CaseDefinition& definition);
+// Adds the runs and gate rows of the campaign's sweeps to the case. Throws CaseFileError with the
+// line of the campaign file.
+void add_swept_runs(const CampaignDefinition& campaign, CaseDefinition& definition);
 
 // Throws CaseFileError for a sweep that matches none of these cases.
 void require_swept_cases(const CampaignDefinition& campaign,

@@ -11,7 +11,6 @@
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/groups.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/input_files.hpp"
@@ -63,9 +62,8 @@ auto read_whole(const TomlTable& table, Read read) {
 // that its rules depend on has been read, so that no mistake is reported twice.
 class CaseReader {
  public:
-  CaseReader(const TomlTable& root, const std::filesystem::path& experiments,
-             CaseDefinition& definition)
-      : root_(root), experiments_(experiments), definition_(definition) {}
+  CaseReader(const TomlTable& root, CaseDefinition& definition)
+      : root_(root), definition_(definition) {}
 
   // Throws CaseFileErrors.
   void read() {
@@ -88,7 +86,7 @@ class CaseReader {
   // Reads what stands at the key. A missing key is not reported beside unknown keys: one of these
   // may be its misspelling.
   template <class Read>
-  bool allow_at(const char* key, Read read) {
+  bool allow_at(const std::string& key, Read read) {
     return (root_.has(key) || only_known_keys_) && allow(read);
   }
 
@@ -96,6 +94,14 @@ class CaseReader {
   template <class Part, class Read>
   bool section(const char* key, Part& part, const Read& read) {
     return allow_at(key, [&] { part = whole(root_.table(key), read); });
+  }
+
+  // Reads the table at the key into the definition itself.
+  bool part(const char* key, const FieldTable<CaseDefinition>& keys) {
+    return allow_at(key, [&] {
+      root_.table(key).read_all(
+          [&](const TomlTable& table) { keys.read_into(table, definition_, definition_); });
+    });
   }
 
   // What `read` makes of the table and of what has been read of the case.
@@ -128,33 +134,28 @@ class CaseReader {
   }
 
   void read_head() {
-    only_known_keys_ = allow([&] { root_.allow_only(keys_of("case")); });
-    allow_at("name", [&] { definition_.name = root_.get("name", file_safe_name()); });
-    allow_at("title", [&] { definition_.title = root_.get("title", any_text()); });
-    allow_at("source", [&] { definition_.source = root_.get("source", any_text()); });
-    if (root_.has("tags"))
-      allow([&] {
-        for (const PlacedText& tag : root_.texts("tags", any_text()))
-          definition_.tags.push_back(tag.text);
-      });
-    gravity_ = allow([&] {
-      definition_.gravity =
-          root_.find("gravity_m_s2", not_negative("m/s2")).value_or(usual_gravity);
-    });
+    only_known_keys_ = allow([&] { root_.allow_only(case_table.names()); });
+    std::set<std::string> refused;
+    for (const Field<CaseDefinition>& row : case_table.fields)
+      if (row.read && !allow_at(row.name, [&] { row.read(row, root_, definition_, definition_); }))
+        refused.insert(row.name);
+    gravity_ = !refused.contains("gravity_m_s2");
+    wall_forces_ = !refused.contains("wall_forces");
   }
 
   void read_tank_and_time() {
-    tank_ = section("tank", definition_.tank, read_tank);
+    tank_ = section("tank", definition_.tank, tank_table);
     if (tank_ && !is_rectangle(definition_.tank))
       tank_ = allow([&] { refuse_beside_outline(root_, definition_); });
-    liquid_ = tank_ && section("liquid", definition_.liquid, read_liquid);
+    liquid_ = tank_ && section("liquid", definition_.liquid, liquid_table);
     if (liquid_) allow([&] { read_gas(); });
-    time_ = allow_at("time", [&] {
-      root_.table("time").read_all([&](const TomlTable& time) { read_time(time, definition_); });
-    });
-    if (time_ && root_.has("animation"))
-      section("animation", definition_.animation_times, read_animation);
-    motion_ = tank_ && time_ && section("motion", definition_.motion, read_motion);
+    time_ = part("time", time_table);
+    if (time_ && root_.has("animation")) {
+      Animation animation{};
+      section("animation", animation, animation_table);
+      definition_.animation_times = animation.times;
+    }
+    motion_ = tank_ && time_ && section("motion", definition_.motion, motion_table);
     if (gravity_ && motion_ && definition_.gravity == 0 && definition_.motion.still())
       allow([&] {
         root_.refuse("gravity_m_s2",
@@ -172,11 +173,10 @@ class CaseReader {
   void read_gauges() {
     if (!tank_ || !time_ || !(liquid_ || is_rectangle(definition_.tank))) return;
     gauges_ = each_named("gauge", definition_.gauges, gauge_table, &refused_gauges_);
-    gauges_ &= each_named("pressure_gauge", definition_.pressure_gauges, read_pressure_gauge,
+    gauges_ &= each_named("pressure_gauge", definition_.pressure_gauges, pressure_gauge_table,
                           &refused_gauges_);
-    gauges_ &= each_named("probe", definition_.probes, read_probe, &refused_gauges_);
-    if (root_.has("wall_forces"))
-      gauges_ &= allow([&] { definition_.wall_forces = read_wall_forces(root_); });
+    gauges_ &= each_named("probe", definition_.probes, probe_table, &refused_gauges_);
+    gauges_ &= wall_forces_;
     if (gauges_ && definition_.gauges.empty() && definition_.pressure_gauges.empty())
       gauges_ = allow_at(
           "gauge", [&] { root_.refuse("gauge", "at least one [[gauge]] or [[pressure_gauge]]"); });
@@ -185,26 +185,19 @@ class CaseReader {
 
   // An unknown key may be any of the optional sections, misspelt.
   void read_what_shapes_the_flow() {
-    const auto impacts = [&](const TomlTable& table, const CaseDefinition& definition) {
-      return read_impacts(table, definition, experiments_);
-    };
     impacts_ = only_known_keys_ && gauges_ &&
-               (!root_.has("impacts") || section("impacts", definition_.impacts, impacts));
+               (!root_.has("impacts") || section("impacts", definition_.impacts, impacts_table));
     obstacles_ = liquid_ && gauges_ &&
-                 each_named("obstacle", definition_.obstacles, read_obstacle) &&
+                 each_named("obstacle", definition_.obstacles, obstacle_table) &&
                  allow([&] { refuse_overlaps(root_.tables("obstacle"), definition_.obstacles); });
     wave_ = only_known_keys_ &&
             (!root_.has("initial_wave") ||
-             (obstacles_ && section("initial_wave", definition_.initial_wave, read_initial_wave)));
+             (obstacles_ && section("initial_wave", definition_.initial_wave, initial_wave_table)));
   }
 
   void read_comparison() {
-    comparison_ = gravity_ && liquid_ && motion_ && wave_ && allow_at("comparison", [&] {
-                    root_.table("comparison").read_all([&](const TomlTable& comparison) {
-                      slosh::read_comparison(comparison, definition_);
-                    });
-                    refuse_breadth_of_outline(root_, definition_);
-                  });
+    comparison_ = gravity_ && liquid_ && motion_ && wave_ && part("comparison", comparison_table) &&
+                  allow([&] { refuse_breadth_of_outline(root_, definition_); });
   }
 
   // Records and external programs refer to gauges.
@@ -220,7 +213,7 @@ class CaseReader {
     try {
       const auto read = [&](const TomlTable& run) {
         refuse_solver_of_outline(run, definition_);
-        std::vector<RunDefinition> runs = slosh::read_runs(run, definition_, experiments_);
+        std::vector<RunDefinition> runs = slosh::read_runs(run, definition_);
         if (runs.front().varies_inputs && !root_.has("input"))
           run.refuse("vary_inputs", "no such key without an [[input]]: there is nothing to draw");
         return runs;
@@ -262,16 +255,16 @@ class CaseReader {
 
   void read_row(const TomlTable& row) {
     allow([&] {
-      if (can_judge_row(row)) definition_.gate.push_back(whole(row, read_gate_row));
+      if (can_judge_row(row)) definition_.gate.push_back(whole(row, gate_table));
     });
   }
 
   void read_what_names_runs() {
     bool inputs = false;
     if (runs_) {
-      each_named("refinement", definition_.refinements, read_refinement);
+      each_named("refinement", definition_.refinements, refinement_table);
       inputs = comparison_ && each("input", [&](const TomlTable& input) {
-                 definition_.inputs.push_back(whole(input, read_input));
+                 definition_.inputs.push_back(whole(input, input_table));
                });
     }
     each("gate", [&](const TomlTable& group) {
@@ -294,13 +287,12 @@ class CaseReader {
   }
 
   const TomlTable& root_;
-  const std::filesystem::path& experiments_;
   CaseDefinition& definition_;
   Complaints complaints_;
   // Whether each section was read, or is optional and absent.
-  bool only_known_keys_ = false, gravity_ = false, tank_ = false, liquid_ = false, time_ = false,
-       motion_ = false, gauges_ = false, impacts_ = false, obstacles_ = false, wave_ = false,
-       comparison_ = false, runs_ = false;
+  bool only_known_keys_ = false, gravity_ = false, wall_forces_ = false, tank_ = false,
+       liquid_ = false, time_ = false, motion_ = false, gauges_ = false, impacts_ = false,
+       obstacles_ = false, wave_ = false, comparison_ = false, runs_ = false;
   RefusedNames refused_gauges_, refused_runs_;
 };
 
@@ -310,10 +302,12 @@ CaseDefinition read_case(const std::filesystem::path& file,
                          const std::filesystem::path& experiments) {
   CaseDefinition definition{};
   definition.file = file;
+  definition.experiments = experiments;
+  definition.gravity = usual_gravity;
   definition.text = read_definition_text("case", file);
   const TomlTable root(definition.text, file);
   root.get("schema_version", exactly(case_schema_version));  // another version has other rules
-  CaseReader(root, experiments, definition).read();
+  CaseReader(root, definition).read();
   return definition;
 }
 

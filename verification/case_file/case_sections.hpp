@@ -41,35 +41,45 @@ std::vector<std::string> names_of(const All& all) {
   return names_where(all, [](const auto&) { return true; });
 }
 
-// The keys of the tables that a struct holds.
+// The tables of the keys of each struct, in the order in which a case is read. What a table needs
+// of the case must have been read: the tank for all that stands in it, the runs for what names
+// them.
+extern const FieldTable<CaseDefinition> case_table;
 extern const FieldTable<TankDefinition> tank_table;
-extern const FieldTable<LiquidDefinition> liquid_table;
+extern const FieldTable<LiquidDefinition> liquid_table;  // without properties, of water
 extern const FieldTable<GasDefinition> gas_table;
-extern const FieldTable<ObstacleDefinition> obstacle_table;
-extern const FieldTable<InitialWaveDefinition> initial_wave_table;
 extern const FieldTable<CaseDefinition> time_table;
-extern const FieldTable<CaseDefinition> comparison_table;
 struct Animation {
-  double begin, end, interval;  // [s]
+  double begin, end, interval;     // [s]
+  std::vector<double> times = {};  // [s]
 };
 extern const FieldTable<Animation> animation_table;
 extern const FieldTable<GaugeDefinition> gauge_table;
 extern const FieldTable<PressureGaugeDefinition> pressure_gauge_table;
 extern const FieldTable<ProbeDefinition> probe_table;
 extern const FieldTable<ImpactsDefinition> impacts_table;
+extern const FieldTable<ObstacleDefinition> obstacle_table;
+extern const FieldTable<InitialWaveDefinition> initial_wave_table;
+extern const FieldTable<CaseDefinition> comparison_table;
 extern const FieldTable<SphRun> sph_table;
 extern const FieldTable<InterFoamRun> interfoam_table;
 extern const FieldTable<LinearRun> linear_table;
 extern const FieldTable<ViscousWaveRun> viscous_wave_table;
 extern const FieldTable<PotentialRun> potential_table;
-extern const FieldTable<ExternalRun> external_table;
+extern const FieldTable<RecordRun> record_table, experiment_table;  // shipped, and the user's own
+extern const FieldTable<ExternalRun> external_table, pysph_table;
 extern const FieldTable<StoredRun> stored_table;
 extern const FieldTable<SeriesSource> series_table;
+extern const FieldTable<RefinementDefinition> refinement_table;
+extern const FieldTable<InputUncertainty> input_table;
+extern const FieldTable<GateRow> gate_table;
+extern const FieldTable<MotionDefinition> motion_table;
 extern const FieldTable<TimingDefinition> timing_table;
+extern const FieldTable<CampaignDefinition> campaign_table;
+extern const FieldTable<ProblemGateRow> problem_gate_table;
 
-// Read [tank] and [liquid], in this order. Without properties a liquid is water.
-TankDefinition read_tank(const TomlTable& tank, const CaseDefinition& definition);
-LiquidDefinition read_liquid(const TomlTable& liquid, const CaseDefinition& definition);
+// [motion.surge], [motion.roll] and the tables in them.
+std::vector<KeyTable> motion_tables();
 
 // What a tank that is no rectangle excludes. The first needs the definition's tank alone; the
 // second its motion and its comparison too.
@@ -78,49 +88,15 @@ void refuse_breadth_of_outline(const TomlTable& root, const CaseDefinition& defi
 void refuse_solver_of_outline(const TomlTable& run, const CaseDefinition& definition);
 Rule<int> modes_of_outline(const CaseDefinition& definition);
 
-// Reads [[obstacle]]. The definition's tank, liquid and gauges must have been read.
-ObstacleDefinition read_obstacle(const TomlTable& obstacle, const CaseDefinition& definition);
-
 // Refuses obstacles, read from these tables, that overlap. They may touch.
 void refuse_overlaps(const std::vector<TomlTable>& tables,
                      const std::vector<ObstacleDefinition>& obstacles);
 
-// Reads [initial_wave]. The definition's tank, liquid and obstacles must have been read.
-InitialWaveDefinition read_initial_wave(const TomlTable& wave, const CaseDefinition& definition);
-
-// Reads [time].
-void read_time(const TomlTable& time, CaseDefinition& definition);
-
-// Reads [comparison]. The definition's gravity, liquid, motion and initial wave must have been
-// read.
-void read_comparison(const TomlTable& comparison, CaseDefinition& definition);
-
-// The three ways to give a frequency, of which a table uses one.
-struct FrequencyKeys {
-  std::string angular_frequency, frequency, period;
-
-  std::vector<std::string> all() const;
-};
-FrequencyKeys frequency_keys(const std::string& prefix = "");
-
-// Return what the table gives at one of the keys, as an angular frequency [rad/s]. The first
-// returns nullopt if none is there.
-std::optional<double> find_angular_frequency(const TomlTable& table, const FrequencyKeys& keys);
-double read_angular_frequency(const TomlTable& table, const FrequencyKeys& keys);
-
-// Returns the key time_offset_s [s], which is added to the times of a file; 0 without it.
-double read_time_offset(const TomlTable& table);
-
-// Reads the keys of [comparison] that tell the forcing frequency of a motion table. The
-// definition's motion and its comparison's window must have been read.
-void read_forcing(const TomlTable& comparison, CaseDefinition& definition);
-
-// Reads [animation] and returns its times [s]. The definition's time must have been read.
-std::vector<double> read_animation(const TomlTable& animation, const CaseDefinition& definition);
-
-// Reads [motion]. The definition's tank and duration must have been read. The files of motion
-// tables are relative to the case file.
-MotionDefinition read_motion(const TomlTable& motion, const CaseDefinition& definition);
+// The keys of the three ways to give a frequency, of which a table uses one, and what it gives
+// [rad/s]; nullopt where none is there.
+std::vector<std::string> names_of_frequency(const std::string& prefix = "");
+std::optional<double> find_angular_frequency(const TomlTable& table,
+                                             const std::string& prefix = "");
 
 // A motion's CSV file.
 struct TableFile {
@@ -139,40 +115,16 @@ struct TableFile {
 TableMotion read_surge_table(const TableFile& table);
 TableMotion read_roll_table(const TableFile& table);
 
-// Reads [[pressure_gauge]]. The definition's tank and sample interval must have been read.
-PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
-                                            const CaseDefinition& definition);
-
-// Reads [[probe]]. The definition's tank must have been read.
-ProbeDefinition read_probe(const TomlTable& probe, const CaseDefinition& definition);
-
-// Reads the key `wall_forces` of the top level, which must be there.
-std::vector<Wall> read_wall_forces(const TomlTable& root);
-
-// Reads [impacts]. The definition's duration and gauges must have been read. The table of repeats
-// lies below the directory `experiments`, which may be empty.
-ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& definition,
-                               const std::filesystem::path& experiments);
+// Reads the walls at this key of the top level.
+void read_wall_forces(const KeyEntry& key, const TomlTable& root, const CaseDefinition& definition,
+                      CaseDefinition& read);
 
 // Reads [[run]] and returns one run, or with `repeats` the members of an ensemble (ensemble.hpp).
-// The definition's liquid, motion and gauges must have been read. The files of shipped records are
-// relative to the case file; those of experiments lie below the directory `experiments`, which may
-// be empty.
-std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition& definition,
-                                     const std::filesystem::path& experiments);
+// The definition's liquid, motion and gauges must have been read.
+std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition& definition);
 
 // The rule of particle_spacing_m.
 Rule<double> a_particle_spacing(const CaseDefinition& definition);
-
-// Reads the keys of [[run]] with solver = "external". The files are relative to the case file.
-ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition);
-
-// Reads the keys of [[run]] with solver = "stored". Its files must be there.
-StoredRun read_stored_run(const TomlTable& run, const CaseDefinition& definition);
-
-// Reads the keys of [[run]] with solver = "pysph": an external run of the driver that Slosh ships.
-// The definition's tank, obstacles and initial wave must have been read.
-ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definition);
 
 // Refuses the run, read from this table, where it and an earlier run of the definition would count
 // as one method although they are not: an external program's method must be no other solver's
@@ -181,22 +133,66 @@ ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definitio
 void refuse_shared_method(const TomlTable& table, const RunDefinition& run,
                           const CaseDefinition& definition);
 
-// Reads [[refinement]]. The definition's runs must have been read.
-RefinementDefinition read_refinement(const TomlTable& refinement, const CaseDefinition& definition);
+// Reads what the rows of gate_table do not.
+void finish_gate_row(const TomlTable& row, const CaseDefinition& definition, GateRow& gate_row);
 
-// Reads [[input]]. The definition's motion, comparison and earlier inputs must have been read.
-InputUncertainty read_input(const TomlTable& table, const CaseDefinition& definition);
-
-// Returns the rows of a [[gate]] (groups.hpp). The definition's runs must have been read.
+// Returns the rows of a [[gate]]. The definition's runs must have been read.
 std::vector<TomlTable> gate_rows(const TomlTable& group, const CaseDefinition& definition);
 
-// Reads a row of [[gate]]. The definition's motion, gauges, comparison and runs must have been
-// read.
-GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition);
+// The rows `kind`, `reason` and `source` of a gate row of a case or a problem. A row of regression
+// needs no source: it rests on what was measured before.
+template <class Row>
+std::vector<Field<Row>> with_origin(std::vector<Field<Row>> rows) {
+  using namespace key;
+  using namespace needed;
+  rows.push_back(field("kind", &Row::kind, row_kind_names, "what the limit comes from", no,
+                       "Where the limit comes from: theory, experiment, requirement; or earlier "
+                       "measurements. Default: validation."));
+  rows.push_back(field("reason", &Row::reason, text(),
+                       where("yes, or each of limits has its own").when(yes.in),
+                       "Why the row is there."));
+  const auto by_kind = [](const TomlTable& row) { return row.written("kind") != "regression"; };
+  rows.push_back(field("source", &Row::source, text(),
+                       where("yes, but for kind = \"regression\"").when(by_kind),
+                       "Where its limit comes from. Default of a regression: the measurement that "
+                       "the reason names."));
+  return rows;
+}
+inline constexpr const char* measured_before = "measured before: the reason names it";
 
-// Read the keys `kind` and `source` of a gate row of a case or a problem. A row of regression needs
-// no source: it rests on what was measured before.
-RowKind read_row_kind(const TomlTable& row);
-std::string read_row_source(const TomlTable& row, RowKind kind);
+// One [[gate]] or [[problem.gate]] may hold several rows: it lists what is judged, by names or by
+// patterns, and the metrics with their bounds at `limits`. Each of its rows becomes a table with
+// the keys of a single row, so that what reads rows knows nothing of groups.
+//
+//   candidates = ["recommended_*", "interfoam_50x50"]      a row for each run that is matched
+//   modes = ["natural_1", "natural_3"]                     and for each mode
+//   limits.amplitude_error = 0.05                          and for each metric: its limit,
+//   limits.phase_lag = { limit = 5, reason = "..." }       or the keys that are its own
+// What the rows of a kind judge: the runs of a case, or the measures of a problem.
+struct RowSubjects {
+  std::string key, key_of_several;  // "candidate", "candidates"
+  std::string what;                 // "a run"
+  std::vector<std::string> names;   // in the order of the rows
+  std::vector<std::string> metrics;
+  std::string table;  // of a row's keys, in key_table.hpp
+};
+
+// Returns the rows of the group, by subject, then by mode, then by metric. A table that is no group
+// is its own only row. Throws CaseFileError for a pattern that matches none of the names.
+std::vector<TomlTable> rows_of_group(const TomlTable& group, const RowSubjects& subjects);
+
+// One [[run]] may hold several runs, as a [[sweep]] of a campaign does: each key that holds a list
+// makes a run for each of its values, and `name` is a pattern of the keys.
+//
+//   name = "recommended_{particle_spacing_mm}mm"     "recommended_25mm", "recommended_12p5mm"
+//   particle_spacing_m = [0.025, 0.0125]             {..._mm} is a length at ..._m in millimetres,
+//   quick = ["*_25mm"]                               {start_seed:02} a number of two digits
+
+// Returns the tables of the runs, one for every combination of the values in lists. A table without
+// lists is its own only run. Throws CaseFileError.
+std::vector<TomlTable> runs_of_group(const TomlTable& group);
+
+// Returns a length in a run's name: "12p5" for 0.0125 m.
+std::string millimetres_in_name(double metres);
 
 }  // namespace slosh

@@ -40,27 +40,23 @@ fs::path stored_file(const TomlTable& table, const char* key, const CaseDefiniti
 // Where the files of a run's series lie.
 enum class Files { below_work_directory, beside_case_file };
 
-SeriesSource read_series(const TomlTable& series, const CaseDefinition& definition, Files files) {
-  series.allow_only(series_table.names());
-  SeriesSource source;
-  source.quantity =
-      series.choice("quantity", "a compared quantity", compared_quantities(definition));
+void finish_series(const TomlTable& series, const CaseDefinition&, SeriesSource& source) {
   const std::string unit = unit_of(source.quantity);
-  source.file = files == Files::beside_case_file
-                    ? stored_file(series, "file", definition)
-                    : fs::path(series.get("file", path_below("a file's", work_directory)));
-  series_table.read_into(series, definition, source);
   source.offset = series.find("offset", any_number(unit)).value_or(source.offset);
   if (series.has("unit"))
     source.unit = series.choice("unit", "a unit of " + source.quantity, unit_names(unit));
-  if (series.has("time_unit"))
-    source.time_unit = series.choice("time_unit", "a unit of time", unit_names("s"));
-  if (series.has("datum")) {
-    series.choice("datum", "a datum", {"first"});
-    if (series.has("offset"))
-      series.refuse("datum", "no datum beside an offset, or no offset beside a datum");
-    source.first_is_zero = true;
-  }
+  if (!series.has("datum")) return;
+  series.choice("datum", "a datum", {"first"});
+  if (series.has("offset"))
+    series.refuse("datum", "no datum beside an offset, or no offset beside a datum");
+  source.first_is_zero = true;
+}
+
+SeriesSource read_series(const TomlTable& series, const CaseDefinition& definition, Files files) {
+  SeriesSource source = series_table(series, definition);
+  source.file = files == Files::beside_case_file
+                    ? stored_file(series, "file", definition)
+                    : fs::path(series.get("file", path_below("a file's", work_directory)));
   return source;
 }
 
@@ -83,13 +79,14 @@ const Rule<std::string> a_pattern{
     "neither back-references nor look-around",
     [](const std::string& text) { return !text.empty() && RE2(text, RE2::Quiet).ok(); }};
 
-std::vector<std::string> read_command(const TomlTable& run, const char* key) {
-  std::vector<std::string> command;
-  for (const PlacedText& argument : run.texts(key, {"a text", [](const auto&) { return true; }}))
-    command.push_back(argument.text);
-  if (command.empty() || command.front().empty())
+KeyValue command_line() {
+  return list("list of texts", {"a text", [](const auto&) { return true; }});
+}
+
+void refuse_no_program(const TomlTable& run, const char* key,
+                       const std::vector<std::string>& command) {
+  if (run.has(key) && (command.empty() || command.front().empty()))
     run.refuse(key, "a list of texts that begins with a program");
-  return command;
 }
 
 // A method's runs are told apart by their spacings, and a spacing alone is of no use.
@@ -171,17 +168,83 @@ std::string other_difference(const RunDefinition& run, const RunDefinition& othe
   return taken_otherwise(*a, *b);
 }
 
+void finish_external(const TomlTable& run, const CaseDefinition& definition,
+                     ExternalRun& external) {
+  refuse_half_a_method(run);
+  refuse_no_program(run, "command", external.command);
+  refuse_no_program(run, "version_command", external.version_command);
+  if (const auto directory = run.find("directory", any_text())) {
+    external.directory = beside_case(definition, *directory);
+    if (std::error_code lost; !fs::is_directory(external.directory, lost))
+      run.refuse("directory", "a directory relative to the case file; there is no " +
+                                  external.directory.string());
+  }
+  if (run.has("inputs"))
+    for (const PlacedText& input : run.texts("inputs", any_text())) {
+      external.inputs.push_back(beside_case(definition, input.text));
+      if (input_files(external.inputs.back()).empty())
+        run.refuse("inputs",
+                   "files, directories or patterns of them, relative to the case file; there is no "
+                   "file in " +
+                       external.inputs.back().string());
+    }
+  if (run.has("facts")) external.facts = run.get("facts", path_below("a file's", work_directory));
+  external.series = read_all_series(run, definition, Files::below_work_directory);
+}
+
+void finish_stored(const TomlTable& run, const CaseDefinition& definition, StoredRun& stored) {
+  refuse_half_a_method(run);
+  if (run.has("file") && run.has("series"))
+    run.refuse("file", "no file beside [[run.series]], or no [[run.series]] beside it");
+  stored.series = run.has("file")
+                      ? series_of_table(stored_file(run, "file", definition), definition)
+                      : read_all_series(run, definition, Files::beside_case_file);
+  if (run.has("facts")) stored.facts = stored_file(run, "facts", definition);
+}
+
+// The external run of the driver that Slosh ships. So far its method is the scheme.
+void finish_pysph(const TomlTable& run, const CaseDefinition& definition, ExternalRun& external) {
+  if (definition.motion.roll || definition.liquid.column_width || !definition.obstacles.empty() ||
+      definition.tank.breadth || definition.gauges.empty())
+    run.refuse("solver",
+               "another solver: pysph takes a tank with a [[gauge]], filled from wall to wall, "
+               "that does not roll and has neither an obstacle nor breadth_m");
+  for (const double size : {definition.tank.length, definition.liquid.fill_depth}) {
+    const double rows = size / *external.particle_spacing;
+    if (std::abs(rows - std::round(rows)) > 1e-6)
+      run.refuse("particle_spacing_m",
+                 fmt::format("a whole fraction of the tank's length and of the fill depth, "
+                             "{:.4g} and {:.4g} m, for pysph",
+                             definition.tank.length, definition.liquid.fill_depth));
+  }
+  const std::string driver = "{peers_directory}/pysph_tank.py";
+  external.command = {driver, "{tank_file}", "{work_directory}", external.method,
+                      "{particle_spacing_m}"};
+  external.method = "pysph_" + external.method;
+  external.facts = "cost.json";
+  external.version_command = {driver, "--version"};
+  external.cores = 1;
+  for (const GaugeDefinition& gauge : definition.gauges)
+    external.series.push_back({.quantity = "elevation@" + gauge.name,
+                               .file = "elevation.csv",
+                               .format = "csv",
+                               .column = gauge.name,
+                               .unit = "m",
+                               .time_column = "t",
+                               .time_unit = "s"});
+}
+
 }  // namespace
 
 const FieldTable<ExternalRun> external_table{
     key_table("run.external", "[[run]] with solver = \"external\"", "no",
               "A program of yours, started without a shell: see [Other solvers](other_solvers.md).",
               {}, {"external"}),
-    {{{"command", list("list of texts"), yes,
-       "The program and its arguments. {case_file}, {case_directory}, {work_directory}, "
-       "{tank_file}, {peers_directory}, {duration_s}, {sample_interval_s} and {particle_spacing_m} "
-       "are filled in. A program with a / in its name is found relative to the case file, another "
-       "on the PATH."}},
+    {field("command", &ExternalRun::command, command_line(), yes,
+           "The program and its arguments. {case_file}, {case_directory}, {work_directory}, "
+           "{tank_file}, {peers_directory}, {duration_s}, {sample_interval_s} and "
+           "{particle_spacing_m} are filled in. A program with a / in its name is found relative "
+           "to the case file, another on the PATH."),
      field("method", &ExternalRun::method, name(), beside("particle_spacing_m").when({}),
            "What the program solves the case with. Runs of one method differ in their spacing "
            "alone, as those of an SPH scheme do: they have an order, a cost of an error and a "
@@ -198,20 +261,21 @@ const FieldTable<ExternalRun> external_table{
      {{"inputs", list("list of paths or patterns, relative to the case file"), no,
        "Files, directories with all below them, and patterns of either that count as part of the "
        "run: a change of one file makes the run be computed again."}},
-     {{"fail_on", list("list of texts"), no,
-       "Regular expressions (RE2). A line of the program's log that one of them matches makes the "
-       "run fail."}},
+     field("fail_on", &ExternalRun::fail_on, list("list of texts", a_pattern), no,
+           "Regular expressions (RE2). A line of the program's log that one of them matches makes "
+           "the run fail."),
      field("cores", &ExternalRun::cores, integer().at_least(1), no,
            "The number of cores to which the program is bound, and its OMP_NUM_THREADS. Default: "
            "it is not bound."),
-     {{"version_command", list("list of texts"), no,
-       "A program and its arguments, as in command, of which the first line of output is the "
-       "version that the report names. It has a minute."}},
+     field("version_command", &ExternalRun::version_command, command_line(), no,
+           "A program and its arguments, as in command, of which the first line of output is the "
+           "version that the report names. It has a minute."),
      {{"facts", text("path below the work directory"), no,
        "A JSON file in which the program tells its numbers of particles and steps and its costs: "
        "see [What the program tells of "
        "itself](other_solvers.md#what-the-program-tells-of-itself)."}},
-     {{"series", tables("[[run.series]]"), yes, "One table or more, below."}}}};
+     {{"series", tables("[[run.series]]"), yes, "One table or more, below."}}},
+    finish_external};
 
 const FieldTable<StoredRun> stored_table{
     key_table(
@@ -230,12 +294,15 @@ const FieldTable<StoredRun> stored_table{
      {{"facts", text("path, relative to the case file"), no,
        "A JSON file: which code, when and on which machine, and what the run took. Default: its "
        "cost is not known."}},
-     {{"series", tables("[[run.series]]"), where("without file"), "One table or more, below."}}}};
+     {{"series", tables("[[run.series]]"), where("without file"), "One table or more, below."}}},
+    finish_stored};
 
 const FieldTable<SeriesSource> series_table{
     {"run.series", "[[run.series]]", "with solver = \"external\" or \"stored\", one or more",
      "A series that the program leaves."},
-    {{{"quantity", text("compared quantity"), yes, "Each quantity may appear once."}},
+    {field("quantity", &SeriesSource::quantity,
+           known("compared quantity", "a compared quantity", compared_quantities), yes,
+           "Each quantity may appear once."),
      {{"file", text("path"), yes,
        "The file that the program writes, below the work directory; of a stored run the file that "
        "is read, relative to the case file."}},
@@ -246,8 +313,9 @@ const FieldTable<SeriesSource> series_table{
        "The unit of the column."}},
      field("time_column", &SeriesSource::time_column, text(), with("format", "csv").when({}),
            "The column of times of a csv or hdf5 file; other formats refuse it."),
-     {{"time_unit", one_of({"s", "ms", "min"}), where("where a csv or hdf5 file does not say it"),
-       "The unit of the times of such a file; other formats refuse it."}},
+     field("time_unit", &SeriesSource::time_unit, one_of({"s", "ms", "min"}, "a unit of time"),
+           where("where a csv or hdf5 file does not say it"),
+           "The unit of the times of such a file; other formats refuse it."),
      field("time_offset_s", &SeriesSource::time_offset, number("s"), no,
            "Added to the file's times. Default: 0."),
      field("scale", &SeriesSource::scale, number().other_than_zero(), no,
@@ -257,84 +325,24 @@ const FieldTable<SeriesSource> series_table{
        "With `first` the first value counts as zero, in place of an offset."}},
      field("whole_tank", &SeriesSource::whole_tank, flag(), no,
            "Whether the force of a gauge of DualSPHysics is that on the whole tank. Without it "
-           "such a file gives the force on one wall, `force_x@WALL`.")}};
+           "such a file gives the force on one wall, `force_x@WALL`.")},
+    finish_series};
 
-ExternalRun read_external_run(const TomlTable& run, const CaseDefinition& definition) {
-  ExternalRun external{};
-  external_table.read_into(run, definition, external);
-  refuse_half_a_method(run);
-  external.command = read_command(run, "command");
-  if (run.has("version_command")) external.version_command = read_command(run, "version_command");
-  if (const auto directory = run.find("directory", any_text())) {
-    external.directory = beside_case(definition, *directory);
-    if (std::error_code lost; !fs::is_directory(external.directory, lost))
-      run.refuse("directory", "a directory relative to the case file; there is no " +
-                                  external.directory.string());
-  }
-  if (run.has("inputs"))
-    for (const PlacedText& input : run.texts("inputs", any_text())) {
-      external.inputs.push_back(beside_case(definition, input.text));
-      if (input_files(external.inputs.back()).empty())
-        run.refuse("inputs",
-                   "files, directories or patterns of them, relative to the case file; there is no "
-                   "file in " +
-                       external.inputs.back().string());
-    }
-  if (run.has("fail_on"))
-    for (const PlacedText& pattern : run.texts("fail_on", a_pattern))
-      external.fail_on.push_back(pattern.text);
-  if (run.has("facts")) external.facts = run.get("facts", path_below("a file's", work_directory));
-  external.series = read_all_series(run, definition, Files::below_work_directory);
-  return external;
-}
-
-StoredRun read_stored_run(const TomlTable& run, const CaseDefinition& definition) {
-  StoredRun stored{};
-  stored_table.read_into(run, definition, stored);
-  refuse_half_a_method(run);
-  if (run.has("file") && run.has("series"))
-    run.refuse("file", "no file beside [[run.series]], or no [[run.series]] beside it");
-  stored.series = run.has("file")
-                      ? series_of_table(stored_file(run, "file", definition), definition)
-                      : read_all_series(run, definition, Files::beside_case_file);
-  if (run.has("facts")) stored.facts = stored_file(run, "facts", definition);
-  return stored;
-}
-
-ExternalRun read_pysph_run(const TomlTable& run, const CaseDefinition& definition) {
-  if (definition.motion.roll || definition.liquid.column_width || !definition.obstacles.empty() ||
-      definition.tank.breadth || definition.gauges.empty())
-    run.refuse("solver",
-               "another solver: pysph takes a tank with a [[gauge]], filled from wall to wall, "
-               "that does not roll and has neither an obstacle nor breadth_m");
-  const std::string driver = "{peers_directory}/pysph_tank.py";
-  const std::string scheme =
-      run.choice("scheme", "a scheme of PySPH's driver", {"delta_sph", "edac", "adami"});
-  ExternalRun external{
-      .command = {driver, "{tank_file}", "{work_directory}", scheme, "{particle_spacing_m}"},
-      .method = "pysph_" + scheme,
-      .facts = "cost.json",
-      .version_command = {driver, "--version"},
-      .cores = 1};
-  external.particle_spacing = run.get("particle_spacing_m", a_particle_spacing(definition));
-  for (const double size : {definition.tank.length, definition.liquid.fill_depth}) {
-    const double rows = size / *external.particle_spacing;
-    if (std::abs(rows - std::round(rows)) > 1e-6)
-      run.refuse("particle_spacing_m",
-                 fmt::format("a whole fraction of the tank's length and of the fill depth, "
-                             "{:.4g} and {:.4g} m, for pysph",
-                             definition.tank.length, definition.liquid.fill_depth));
-  }
-  for (const GaugeDefinition& gauge : definition.gauges)
-    external.series.push_back({.quantity = "elevation@" + gauge.name,
-                               .file = "elevation.csv",
-                               .format = "csv",
-                               .column = gauge.name,
-                               .unit = "m",
-                               .time_column = "t",
-                               .time_unit = "s"});
-  return external;
-}
+const FieldTable<ExternalRun> pysph_table{
+    key_table("run.pysph", "[[run]] with solver = \"pysph\"", "no",
+              "PySPH, from Debian's package python3-pysph, by the driver that Slosh ships: see "
+              "[PySPH](other_solvers.md#pysph). It is an external run of the method pysph_SCHEME. "
+              "The tank surges or stands still, with or without an initial wave, and has no "
+              "obstacle.",
+              {}, {"pysph"}),
+    {field("scheme", &ExternalRun::method,
+           one_of({"delta_sph", "edac", "adami"}, "a scheme of PySPH's driver"), yes,
+           "One of PySPH's own schemes."),
+     field("particle_spacing_m", &ExternalRun::particle_spacing,
+           number("m").above(0).by(a_particle_spacing), yes,
+           "A whole fraction of the tank's length and of the fill depth, another one in each run "
+           "of the scheme.")},
+    finish_pysph};
 
 void refuse_shared_method(const TomlTable& table, const RunDefinition& run,
                           const CaseDefinition& definition) {

@@ -12,17 +12,13 @@
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
-#include "verification/case_file/groups.hpp"
-#include "verification/case_file/key_table.hpp"
 
 namespace slosh {
-namespace {
 
-std::string names_of_costs() {
-  const auto costs =
-      names_where(metric_table(), [](const MetricEntry& entry) { return is_cost(entry.metric); });
-  return fmt::format("{}", fmt::join(costs, " | "));
-}
+using namespace key;
+using namespace needed;
+
+namespace {
 
 const MetricEntry& read_metric(const TomlTable& row) {
   return metric_entry(row.choice("metric", "a metric", names_of(metric_table())));
@@ -136,17 +132,6 @@ void refuse_second_bound(const TomlTable& row, const CaseDefinition& definition,
           fmt::format("one row for each candidate, reference, quantity, mode and metric; the first "
                       "is at {}:{}",
                       other.where.file, other.where.line));
-}
-
-// The error whose cost the row bounds.
-void read_error(const TomlTable& row, const MetricEntry& metric, GateRow& gate_row) {
-  if (!is_cost(metric.metric)) {
-    if (row.has("error")) row.refuse("error", "no error: only " + names_of_costs() + " is of one");
-    return;
-  }
-  gate_row.error =
-      row.get("error", Rule<double>{"a normalised rms above 0 and below 1, without unit",
-                                    [](double value) { return value > 0 && value < 1; }});
 }
 
 // The part of the run over which the row is judged.
@@ -340,14 +325,31 @@ bool takes_reference(const TomlTable& row) {
 
 }  // namespace
 
-RowKind read_row_kind(const TomlTable& row) {
-  if (!row.has("kind")) return RowKind::validation;
-  return row.choice("kind", "what the limit comes from", row_kind_names);
-}
-
-std::string read_row_source(const TomlTable& row, RowKind kind) {
-  const bool may_lack = kind == RowKind::regression && !row.has("source");
-  return may_lack ? "measured before: the reason names it" : row.get("source", any_text());
+void finish_gate_row(const TomlTable& row, const CaseDefinition& definition, GateRow& gate_row) {
+  gate_row.candidate = row.choice("candidate", "a run", candidates(definition));
+  const MetricEntry& metric = read_metric(row);
+  gate_row.metric = metric.metric;
+  if (is_of_candidate_alone(metric.metric)) {
+    read_own_series(row, metric, definition, gate_row);
+  } else if (is_of_impacts(metric.metric)) {
+    read_impact_series(row, metric, definition, gate_row);
+  } else if (is_of_fields(metric.metric)) {
+    read_field(row, metric, definition, gate_row);
+  } else {
+    read_compared_series(row, metric, definition, gate_row);
+  }
+  gate_row.mode = read_mode(row, metric, gate_row.quantity, definition);
+  read_bound(row, metric, definition, gate_row);
+  if (gate_row.error && !is_cost(metric.metric))
+    row.refuse("error", "no error: only cost_to_reach is of one");
+  read_part(row, metric, definition, gate_row);
+  require_form_of_bound(row, metric, gate_row);
+  const RecordRun* record = as_record(definition, gate_row.reference);
+  if (record && record->earlier_run && gate_row.kind != RowKind::regression)
+    row.refuse("kind", "regression: the reference is an earlier run of this harness");
+  if (gate_row.source.empty()) gate_row.source = measured_before;
+  gate_row.where = row.where();
+  refuse_second_bound(row, definition, gate_row);
 }
 
 // A pattern never means the reference, which the row rule would refuse as a candidate. In a group
@@ -365,36 +367,6 @@ std::vector<TomlTable> gate_rows(const TomlTable& group, const CaseDefinition& d
     for (TomlTable& row : rows)
       if (!takes_reference(row)) row = row.without({"reference"});
   return rows;
-}
-
-GateRow read_gate_row(const TomlTable& row, const CaseDefinition& definition) {
-  GateRow gate_row{};
-  gate_row.candidate = row.choice("candidate", "a run", candidates(definition));
-  const MetricEntry& metric = read_metric(row);
-  gate_row.metric = metric.metric;
-  if (is_of_candidate_alone(metric.metric)) {
-    read_own_series(row, metric, definition, gate_row);
-  } else if (is_of_impacts(metric.metric)) {
-    read_impact_series(row, metric, definition, gate_row);
-  } else if (is_of_fields(metric.metric)) {
-    read_field(row, metric, definition, gate_row);
-  } else {
-    read_compared_series(row, metric, definition, gate_row);
-  }
-  gate_row.mode = read_mode(row, metric, gate_row.quantity, definition);
-  read_bound(row, metric, definition, gate_row);
-  read_error(row, metric, gate_row);
-  read_part(row, metric, definition, gate_row);
-  require_form_of_bound(row, metric, gate_row);
-  gate_row.kind = read_row_kind(row);
-  const RecordRun* record = as_record(definition, gate_row.reference);
-  if (record && record->earlier_run && gate_row.kind != RowKind::regression)
-    row.refuse("kind", "regression: the reference is an earlier run of this harness");
-  gate_row.reason = row.get("reason", any_text());
-  gate_row.source = read_row_source(row, gate_row.kind);
-  gate_row.where = row.where();
-  refuse_second_bound(row, definition, gate_row);
-  return gate_row;
 }
 
 }  // namespace slosh

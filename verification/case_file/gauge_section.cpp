@@ -95,6 +95,14 @@ void read_repeats(const TomlTable& impacts, const std::filesystem::path& experim
   read.repeats.assign(peaks.impacts.begin(), peaks.impacts.begin() + used);
 }
 
+void finish_impacts(const TomlTable& impacts, const CaseDefinition& definition,
+                    ImpactsDefinition& read) {
+  refuse_lonely_keys(impacts);
+  refuse_times(impacts, read, definition.duration);
+  refuse_other_counts(impacts, read.times.size());
+  read_repeats(impacts, definition.experiments, read);
+}
+
 // A gauge measures the surface where that is at rest.
 Rule<double> over_still_surface(const CaseDefinition& definition) {
   if (is_rectangle(definition.tank))
@@ -150,6 +158,27 @@ double read_place_on_outline(const TomlTable& gauge, const TankDefinition& tank,
   return 2 * std::min(on.along, side_length(tank.outline, on.side) - on.along) + 1e-9 * size;
 }
 
+void read_place(const TomlTable& gauge, const CaseDefinition& definition,
+                PressureGaugeDefinition& read) {
+  const bool on_rectangle = is_rectangle(definition.tank);
+  refuse_keys_of_other_shape(gauge, on_rectangle);
+  const double widest = on_rectangle ? read_place_on_wall(gauge, definition.tank, read)
+                                     : read_place_on_outline(gauge, definition.tank, read);
+  const Rule<double> width{
+      fmt::format("a number >= 0 and <= {:.6g}, in m: the whole sensor lies on the wall", widest),
+      [widest](double given) { return given >= 0 && given <= widest; }};
+  read.width = gauge.find("width_m", width).value_or(0);
+}
+
+void refuse_place_outside(const TomlTable& probe, const CaseDefinition& definition,
+                          const ProbeDefinition& read) {
+  if (is_rectangle(definition.tank) || contains(definition.tank.outline, {read.x, read.z})) return;
+  const auto [left, right] = extent_at(definition.tank.outline, read.z);
+  probe.refuse("x_m", fmt::format("a place inside the tank's outline, which reaches from x = "
+                                  "{:.6g} to {:.6g} at z_m = {:g}, in m",
+                                  left, right, read.z));
+}
+
 }  // namespace
 
 const FieldTable<GaugeDefinition> gauge_table{
@@ -178,7 +207,8 @@ const FieldTable<PressureGaugeDefinition> pressure_gauge_table{
        "on one side. Default: 0, a point."}},
      field("filter_cutoff_Hz", &PressureGaugeDefinition::filter_cutoff,
            number("Hz").above(0).below(half_the_sampling_rate), no,
-           "Adds the series wall_pressure@NAME/filtered, through a low-pass filter.")}};
+           "Adds the series wall_pressure@NAME/filtered, through a low-pass filter.")},
+    read_place};
 
 const FieldTable<ProbeDefinition> probe_table{
     {"probe", "[[probe]]", "no",
@@ -192,12 +222,16 @@ const FieldTable<ProbeDefinition> probe_table{
            number("m").from(0, tank_length).noting(" from the left wall"), yes,
            "The distance from the left wall. The place lies inside the tank's outline."),
      field("z_m", &ProbeDefinition::z, number("m").from(0, tank_height).noting(" from the bottom"),
-           yes, "The height above the bottom.")}};
+           yes, "The height above the bottom.")},
+    refuse_place_outside};
 
 const FieldTable<ImpactsDefinition> impacts_table{
     {"impacts", "[impacts]", "no",
      "Published impacts on a pressure gauge, for the metrics of impacts."},
-    {{{"gauge", text("name of a pressure gauge"), yes}},
+    {field("gauge", &ImpactsDefinition::gauge,
+           known("name of a pressure gauge", "a pressure gauge",
+                 [](const CaseDefinition& it) { return names_of(it.pressure_gauges); }),
+           yes),
      field("times_s", &ImpactsDefinition::times, increasing_list_of(number("s")), yes,
            "The published times of the peaks, one or more, at least half a period apart and a "
            "quarter of it inside the run."),
@@ -254,65 +288,20 @@ const FieldTable<ImpactsDefinition> impacts_table{
            no, "Half the 95 % interval of the plateau."),
      {{"peak_table", text("path below the directory of the user's records"), no,
        "The repeats' own peaks, of up to four impacts."}},
-     field("source", &ImpactsDefinition::source, text(), yes)}};
+     field("source", &ImpactsDefinition::source, text(), yes)},
+    finish_impacts};
 
-PressureGaugeDefinition read_pressure_gauge(const TomlTable& gauge,
-                                            const CaseDefinition& definition) {
-  gauge.allow_only(pressure_gauge_table.names());
-  const bool on_rectangle = is_rectangle(definition.tank);
-  refuse_keys_of_other_shape(gauge, on_rectangle);
-  PressureGaugeDefinition read{};
-  pressure_gauge_table.read_into(gauge, definition, read);
-  const double widest = on_rectangle ? read_place_on_wall(gauge, definition.tank, read)
-                                     : read_place_on_outline(gauge, definition.tank, read);
-  read.width =
-      gauge
-          .find<double>(
-              "width_m",
-              {fmt::format("a number >= 0 and <= {:.6g}, in m: the whole sensor lies on the wall",
-                           widest),
-               [widest](double width) { return width >= 0 && width <= widest; }})
-          .value_or(0);
-  return read;
-}
-
-ProbeDefinition read_probe(const TomlTable& probe, const CaseDefinition& definition) {
-  const ProbeDefinition read = probe_table.read_all(probe, definition);
-  if (!is_rectangle(definition.tank) && !contains(definition.tank.outline, {read.x, read.z})) {
-    const auto [left, right] = extent_at(definition.tank.outline, read.z);
-    probe.refuse("x_m", fmt::format("a place inside the tank's outline, which reaches from x = "
-                                    "{:.6g} to {:.6g} at z_m = {:g}, in m",
-                                    left, right, read.z));
+void read_wall_forces(const KeyEntry& key, const TomlTable& root, const CaseDefinition&,
+                      CaseDefinition& read) {
+  if (!root.has(key.name)) return;
+  const std::vector<std::string> names = all_names(wall_names);
+  for (const PlacedText& text : root.texts(key.name, any_text())) {
+    const bool is_wall = std::find(names.begin(), names.end(), text.text) != names.end();
+    if (is_wall) read.wall_forces.push_back(value_of(text.text, wall_names));
+    if (!is_wall ||
+        std::count(read.wall_forces.begin(), read.wall_forces.end(), read.wall_forces.back()) > 1)
+      root.refuse(key.name, fmt::format("a list of walls ({}), each once", fmt::join(names, ", ")));
   }
-  return read;
-}
-
-std::vector<Wall> read_wall_forces(const TomlTable& root) {
-  std::vector<Wall> walls;
-  const std::string expected =
-      fmt::format("a list of walls ({}), each once", fmt::join(all_names(wall_names), ", "));
-  for (const PlacedText& text : root.texts("wall_forces", any_text())) {
-    const std::vector<std::string> names = all_names(wall_names);
-    if (std::find(names.begin(), names.end(), text.text) == names.end())
-      root.refuse("wall_forces", expected);
-    walls.push_back(value_of(text.text, wall_names));
-    if (std::count(walls.begin(), walls.end(), walls.back()) > 1)
-      root.refuse("wall_forces", expected);
-  }
-  return walls;
-}
-
-ImpactsDefinition read_impacts(const TomlTable& impacts, const CaseDefinition& definition,
-                               const std::filesystem::path& experiments) {
-  impacts.allow_only(impacts_table.names());
-  refuse_lonely_keys(impacts);
-  ImpactsDefinition read{};
-  read.gauge = impacts.choice("gauge", "a pressure gauge", names_of(definition.pressure_gauges));
-  impacts_table.read_into(impacts, definition, read);
-  refuse_times(impacts, read, definition.duration);
-  refuse_other_counts(impacts, read.times.size());
-  read_repeats(impacts, experiments, read);
-  return read;
 }
 
 }  // namespace slosh

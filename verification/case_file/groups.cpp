@@ -1,9 +1,8 @@
-#include "verification/case_file/groups.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
 #include "verification/input/nearest_name.hpp"
 

@@ -179,7 +179,8 @@ bool read_value(const KeyValue&, const TomlTable& table, const std::string& key,
 
 template <>
 std::string read_value(const KeyValue& value, const TomlTable& table, const std::string& key,
-                       const CaseDefinition&) {
+                       const CaseDefinition& definition) {
+  if (value.known) return table.choice(key, value.what, value.known(definition));
   return value.kind == KeyKind::choice ? table.choice(key, value.what, value.texts)
                                        : table.get(key, value.text_rule);
 }
@@ -264,6 +265,7 @@ Needed Needed::when(std::function<bool(const TomlTable&)> is_needed) const {
 
 std::vector<std::string> KeyTable::names() const {
   std::vector<std::string> names;
+  if (!solvers.empty()) names = keys_of("run");
   for (const KeyEntry& key : keys) names.push_back(key.name);
   return names;
 }

@@ -69,7 +69,8 @@ struct KeyValue {
   std::string told = {};                // its words, of a value that is no number
   std::vector<std::string> texts = {};  // of a choice
   std::string what = {};                // what a refusal calls the choice
-  std::string heading = {};             // of a table
+  std::function<std::vector<std::string>(const CaseDefinition&)> known = {};  // the texts of a case
+  std::string heading = {};                                                   // of a table
   Rule<std::string> text_rule = any_text();
   std::string unit = "1";  // of a number; "1" without one
   std::optional<End> lower = {}, upper = {};
@@ -116,12 +117,19 @@ inline KeyValue number(const std::string& unit = "1") {
 inline KeyValue integer() { return {.kind = KeyKind::integer}; }
 inline KeyValue flag() { return {KeyKind::flag, "true or false"}; }
 inline KeyValue text(const std::string& words = "text") { return {KeyKind::text, words}; }
-inline KeyValue list(const std::string& words) { return {KeyKind::list, words}; }
+inline KeyValue list(const std::string& words, const Rule<std::string>& each = any_text()) {
+  return {.kind = KeyKind::list, .told = words, .text_rule = each};
+}
 inline KeyValue constant(const std::string& only) { return {KeyKind::constant, only, {only}}; }
 KeyValue name();  // a file-safe one
 KeyValue list_of(KeyValue number);
 KeyValue increasing_list_of(KeyValue number);
 KeyValue one_of(const std::vector<std::string>& texts, const std::string& what = "");
+// One of the texts that the case knows, as its runs.
+inline KeyValue known(const std::string& words, const std::string& what,
+                      const std::function<std::vector<std::string>(const CaseDefinition&)>& texts) {
+  return {.kind = KeyKind::text, .told = words, .what = what, .known = texts};
+}
 KeyValue table(const std::string& heading);   // [tank], [[gauge]]
 KeyValue tables(const std::string& heading);  // the same, without "the table" in its words
 
@@ -157,6 +165,10 @@ struct KeyEntry {
   KeyValue value;
   Needed needed;
   std::string meaning = {};
+
+  bool is_read(const TomlTable& table) const {
+    return table.has(name) || (needed.in && needed.in(table));
+  }
 };
 
 // A table of the file, or the keys that a solver adds to [[run]].
@@ -166,15 +178,19 @@ struct KeyTable {
   std::string needed;   // as for a key
   std::string meaning;
   std::vector<KeyEntry> keys = {};
-  std::vector<std::string> solvers = {};  // whose runs have these keys
+  std::vector<std::string> solvers = {};  // whose runs have these keys, beside those of all runs
 
-  std::vector<std::string> names() const;
+  std::vector<std::string> names() const;  // of all keys that may stand in the table
 };
 
-// A key whose value becomes part of a struct S, or is read by the section without `read`.
+// A key whose value becomes part of a struct S, or is read with the whole table without `read`.
 template <class S>
 struct Field : KeyEntry {
-  std::function<void(const KeyEntry&, const TomlTable&, const CaseDefinition&, S&)> read = {};
+  using Read = std::function<void(const KeyEntry&, const TomlTable&, const CaseDefinition&, S&)>;
+  Read read;
+
+  Field(KeyEntry entry, Read reads = nullptr)
+      : KeyEntry(std::move(entry)), read(std::move(reads)) {}
 };
 
 // The type of a value whose member may be optional.
@@ -195,14 +211,14 @@ Field<S> field_of_part(const char* name, Part part, const KeyValue& value, const
   return {{name, value, needed, meaning},
           [part, per_unit](const KeyEntry& key, const TomlTable& table,
                            const CaseDefinition& definition, S& made) {
-            if (!table.has(key.name) && !(key.needed.in && key.needed.in(table))) return;
+            if (!key.is_read(table)) return;
             T read = read_value<T>(key.value, table, key.name, definition);
             if constexpr (std::is_same_v<T, double>) read *= per_unit;
             part(made) = std::move(read);
           }};
 }
 
-// A member, and one of a part that is made when one of its keys is read.
+// A member, one of a part that is made when one of its keys is read, and one of an enumeration.
 template <class S, class M>
 Field<S> field(const char* name, M S::*member, const KeyValue& value, const Needed& needed,
                const std::string& meaning = "", double per_unit = 1) {
@@ -218,29 +234,45 @@ Field<S> field(const char* name, std::optional<Whole> S::*whole, M Whole::*membe
   };
   return field_of_part<S>(name, part, value, needed, meaning);
 }
+template <class S, class Enum, std::size_t n>
+Field<S> field(const char* name, Enum S::*member, const EnumName<Enum> (&names)[n],
+               const std::string& what, const Needed& needed, const std::string& meaning = "") {
+  return {{name, key::one_of(all_names(names), what), needed, meaning},
+          [member, &names](const KeyEntry& key, const TomlTable& table, const CaseDefinition&,
+                           S& made) {
+            if (key.is_read(table)) made.*member = table.choice(key.name, key.value.what, names);
+          }};
+}
 
 // The table of the keys of a struct.
 template <class S>
 struct FieldTable : KeyTable {
-  std::vector<Field<S>> fields;
+  // What the rows do not say, as of one value beside another.
+  using Finish = std::function<void(const TomlTable&, const CaseDefinition&, S&)>;
 
-  FieldTable(KeyTable head, std::vector<Field<S>> rows)
-      : KeyTable(std::move(head)), fields(std::move(rows)) {
+  std::vector<Field<S>> fields;
+  Finish finish;
+  S defaults;
+
+  FieldTable(KeyTable head, std::vector<Field<S>> rows, Finish and_then = {}, S otherwise = {})
+      : KeyTable(std::move(head)),
+        fields(std::move(rows)),
+        finish(std::move(and_then)),
+        defaults(std::move(otherwise)) {
     keys.assign(fields.begin(), fields.end());
   }
-  // Reads the fields into `made`, in the order of the rows. Throws CaseFileError.
+  // Reads the table into `made`, in the order of the rows. Refuses unknown keys first. Throws
+  // CaseFileError.
   void read_into(const TomlTable& table, const CaseDefinition& definition, S& made) const {
+    table.allow_only(names());
     for (const Field<S>& one : fields)
       if (one.read) one.read(one, table, definition, made);
-  }
-  // Refuses unknown keys first.
-  S read_all(const TomlTable& table, const CaseDefinition& definition, S made = {}) const {
-    table.allow_only(names());
-    read_into(table, definition, made);
-    return made;
+    if (finish) finish(table, definition, made);
   }
   S operator()(const TomlTable& table, const CaseDefinition& definition) const {
-    return read_all(table, definition);
+    S made = defaults;
+    read_into(table, definition, made);
+    return made;
   }
 };
 
@@ -270,13 +302,5 @@ std::string key_reference();
 // that are numbers. The parser knows more: what one value means for another.
 std::string case_schema();
 std::string campaign_schema();
-
-// Returns the text of a case of the user's own, to be edited: the file of another case, reduced to
-// its theories and one SPH run with its gate rows, where each key is explained by its row. The kept
-// SPH run is the coarsest of those that a gate row judges by a limit. Files that the case names are
-// named by their whole paths. Records that only the user has, ensembles, refinements, uncertain
-// inputs and animations are left out. Throws CaseFileError for a name that no case may have, and
-// for a case without an SPH run.
-std::string commented_case(const CaseDefinition& like, const std::string& name);
 
 }  // namespace slosh

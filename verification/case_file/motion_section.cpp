@@ -11,11 +11,14 @@
 #include "verification/case/motion/motion_times.hpp"
 #include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/key_table.hpp"
-#include "verification/fits/dominant_sine.hpp"
 #include "verification/input/input_files.hpp"
 #include "verification/input/tables/time_table.hpp"
 
 namespace slosh {
+
+using namespace key;
+using namespace needed;
+
 namespace {
 
 // [deg]. A larger angle is more than one turn, and probably given in another unit.
@@ -112,63 +115,40 @@ TableMotion motion_of(const TableFile& table, const TimeTable& rows) {
   return motion;
 }
 
-const TableMotion* surge_table(const MotionDefinition& motion) {
-  return motion.surge ? std::get_if<TableMotion>(&*motion.surge) : nullptr;
-}
-
-const TableMotion* roll_table(const MotionDefinition& motion) {
-  return motion.roll ? std::get_if<TableMotion>(&motion.roll->angle) : nullptr;
-}
-
-void find_in_spectrum(const TomlTable& comparison, CaseDefinition& definition) {
-  const TableMotion *surge = surge_table(definition.motion), *roll = roll_table(definition.motion);
-  if (surge && roll)
-    comparison.refuse("forcing",
-                      "forcing_frequency_Hz instead, as two tables have no spectrum in common");
-  const TableMotion& table = surge ? *surge : *roll;
-  try {
-    const DominantSine sine = dominant_sine(
-        {table.file.filename().string(), surge ? "m" : "rad", table.time, table.value},
-        {definition.window_begin, definition.window_end});
-    definition.declared_forcing_frequency = sine.angular_frequency.value;
-    definition.found_forcing = {sine.angular_frequency.half_width, sine.rest};
-  } catch (const ComparisonError& error) {
-    comparison.refuse(
-        "forcing",
-        fmt::format("a motion table that is nearly one sine from {:g} to {:g} s, the window of the "
-                    "comparison; {}. Write forcing_frequency_Hz or forcing_period_s instead to "
-                    "name the frequency that is meant",
-                    definition.window_begin, definition.window_end, error.what()));
-  }
-}
+// The three ways to give a frequency, of which a table uses one.
+struct FrequencyKey {
+  const char *name, *unit;
+  double (*angular)(double);  // [rad/s]
+};
 
 constexpr double full_turn = 2 * std::numbers::pi;
-
-double angular_frequency_at(const TomlTable& table, const FrequencyKeys& keys) {
-  if (table.has(keys.period)) return full_turn / table.get(keys.period, positive("s"));
-  if (table.has(keys.frequency)) return full_turn * table.get(keys.frequency, positive("Hz"));
-  return table.get(keys.angular_frequency, positive("rad/s"));
-}
+constexpr FrequencyKey frequency_keys[] = {
+    {"angular_frequency_rad_s", "rad/s", [](double angular) { return angular; }},
+    {"frequency_Hz", "Hz", [](double frequency) { return full_turn * frequency; }},
+    {"period_s", "s", [](double period) { return full_turn / period; }}};
 
 // [tank lengths]. With an axis further away, a roll becomes a surge and rounding errors become
 // noise.
 constexpr double farthest_axis = 1000;
 
-// Where the motion's table lies, and how long it must last.
-struct TableScope {
-  std::filesystem::path case_file;
-  double duration;  // [s]
-};
-
 // The differences between the motions of a surge and a roll.
 struct HistoryForm {
-  std::string amplitude_key;
-  Rule<double> amplitude;
+  std::string table, amplitude_key;  // of key_table.hpp
+  KeyValue amplitude;
   double si_per_unit;
   TableMotion (*read_table)(const TableFile&);
-  std::vector<std::string> other_keys;
-  std::string table;  // of key_table.hpp
+  std::vector<std::string> other_keys = {};
 };
+
+const HistoryForm surges{"surge", "amplitude_m", number("m").above(0), 1, read_surge_table},
+    rolls{"roll",
+          "amplitude_deg",
+          number("deg").above(0).at_most(largest_angle),
+          radians_per_degree,
+          read_roll_table,
+          {"axis_x_m", "axis_z_m"}};
+
+const KeyValue phases = number("deg").from(-360, 360), ramps = number("periods").at_least(0);
 
 std::filesystem::path file_beside(const TomlTable& table, const std::filesystem::path& case_file) {
   std::filesystem::path file = case_file.parent_path() / table.get("file", any_text());
@@ -178,17 +158,20 @@ std::filesystem::path file_beside(const TomlTable& table, const std::filesystem:
 
 std::vector<std::string> sine_keys(const HistoryForm& form) {
   std::vector<std::string> keys{form.amplitude_key, "phase_deg", "ramp_periods"};
-  for (const std::string& key : frequency_keys().all()) keys.push_back(key);
+  for (const std::string& key : names_of_frequency()) keys.push_back(key);
   return keys;
 }
 
 SineMotion read_sine(const TomlTable& table, const HistoryForm& form) {
-  const Rule<double> phase{"a number from -360 to 360, in deg",
-                           [](double degrees) { return std::abs(degrees) <= 360; }, 0};
-  return {.amplitude = table.get(form.amplitude_key, form.amplitude) * form.si_per_unit,
-          .angular_frequency = read_angular_frequency(table, frequency_keys()),
-          .ramp_periods = table.find("ramp_periods", not_negative("periods")).value_or(0),
-          .phase = table.find("phase_deg", phase).value_or(0) * radians_per_degree};
+  const auto read = [&](const KeyValue& value, const std::string& key) {
+    return read_value<double>(value, table, key, {});
+  };
+  const std::optional<double> frequency = find_angular_frequency(table);
+  return {.amplitude = read(form.amplitude, form.amplitude_key) * form.si_per_unit,
+          .angular_frequency =
+              frequency ? *frequency : table.get("angular_frequency_rad_s", positive("rad/s")),
+          .ramp_periods = table.has("ramp_periods") ? read(ramps, "ramp_periods") : 0,
+          .phase = table.has("phase_deg") ? read(phases, "phase_deg") * radians_per_degree : 0};
 }
 
 SumOfSines read_sines(const TomlTable& table, const HistoryForm& form) {
@@ -203,7 +186,7 @@ SumOfSines read_sines(const TomlTable& table, const HistoryForm& form) {
 }
 
 MotionHistory read_history(const TomlTable& table, const HistoryForm& form,
-                           const TableScope& scope) {
+                           const CaseDefinition& definition) {
   const auto allow = [&](std::vector<std::string> keys) {
     keys.insert(keys.end(), form.other_keys.begin(), form.other_keys.end());
     table.allow_only(keys);
@@ -215,8 +198,9 @@ MotionHistory read_history(const TomlTable& table, const HistoryForm& form,
     const bool straight =
         table.has("segments") &&
         table.choice("segments", "a way between points", {"spline", "straight"}) == "straight";
+    const double offset = table.find("time_offset_s", any_number("s")).value_or(0);
     const TableMotion motion = form.read_table(
-        {file_beside(table, scope.case_file), scope.duration, read_time_offset(table), straight});
+        {file_beside(table, definition.file), definition.duration, offset, straight});
     if (straight && !motion.of_accelerations)
       table.refuse("segments", "\"spline\" for a table of positions, whose corners would be blows");
     return motion;
@@ -229,11 +213,6 @@ MotionHistory read_history(const TomlTable& table, const HistoryForm& form,
   keys.insert(keys.begin(), "type");
   allow(keys);
   return read_sine(table, form);
-}
-
-MotionHistory read_surge(const TomlTable& surge, const TableScope& scope) {
-  return read_history(surge, {"amplitude_m", positive("m"), 1, read_surge_table, {}, "surge"},
-                      scope);
 }
 
 Rule<double> near_the_tank(double tank_length, const char* unit) {
@@ -257,21 +236,91 @@ void refuse_tilted_start(const TomlTable& roll, const MotionHistory& angle) {
                     level_angle, start));
 }
 
-RollDefinition read_roll(const TomlTable& roll, const TableScope& scope, double tank_length) {
-  const Rule<double> amplitude{
-      fmt::format("a number > 0 and <= {}, in deg", largest_angle),
-      [](double degrees) { return degrees > 0 && degrees <= largest_angle; }, largest_angle};
-  const HistoryForm form{"amplitude_deg",          amplitude, radians_per_degree, read_roll_table,
-                         {"axis_x_m", "axis_z_m"}, "roll"};
-  RollDefinition read{
-      .angle = read_history(roll, form, scope),
-      .axis_x = roll.get("axis_x_m", near_the_tank(tank_length, "m from the left wall")),
-      .axis_z = roll.get("axis_z_m", near_the_tank(tank_length, "m from the bottom"))};
+RollDefinition read_roll(const TomlTable& roll, const CaseDefinition& definition) {
+  const double length = definition.tank.length;
+  RollDefinition read{.angle = read_history(roll, rolls, definition),
+                      .axis_x = roll.get("axis_x_m", near_the_tank(length, "m from the left wall")),
+                      .axis_z = roll.get("axis_z_m", near_the_tank(length, "m from the bottom"))};
   refuse_tilted_start(roll, read.angle);
   return read;
 }
 
+void finish_motion(const TomlTable& motion, const CaseDefinition& definition,
+                   MotionDefinition& read) {
+  if (motion.has("surge")) read.surge = read_history(motion.table("surge"), surges, definition);
+  if (motion.has("roll")) read.roll = read_roll(motion.table("roll"), definition);
+  const bool says_still = motion.flag("still");
+  if (motion.has("still") && says_still != read.still())
+    motion.refuse("still", read.still() ? "true, or [motion.surge] or [motion.roll] instead"
+                                        : "no such key beside [motion.surge] or [motion.roll]");
+  if (read.still() && !says_still)
+    motion.refuse_table("{}", "still = true, [motion.surge], [motion.roll] or both of these");
+}
+
+std::vector<KeyEntry> keys_of_sine(const HistoryForm& form, const Needed& amplitude,
+                                   const Needed& frequency, const std::string& of_phase,
+                                   const std::string& of_ramp) {
+  return {{form.amplitude_key, form.amplitude, amplitude},
+          {"angular_frequency_rad_s", number("rad/s").above(0), frequency},
+          {"frequency_Hz", number("Hz").above(0), frequency},
+          {"period_s", number("s").above(0), frequency},
+          {"phase_deg", phases, no, of_phase},
+          {"ramp_periods", ramps, no, of_ramp}};
+}
+
+// The tables of a motion's keys and of those of one of its sines.
+std::vector<KeyTable> tables_of(const HistoryForm& form, const std::string& meaning,
+                                const std::string& of_phase, const std::string& of_file,
+                                const std::vector<KeyEntry>& of_axis) {
+  const std::string heading = "[motion." + form.table + "]",
+                    of_sines = "[[motion." + form.table + ".sines]]";
+  std::vector<KeyEntry> keys = keys_of_sine(
+      form, with("type", "sine"), one_of_three_with("type", "sine"), of_phase,
+      "The time over which a sine grows to its amplitude; refused with a table. Default: 0.");
+  keys.insert(keys.begin(), {"type", one_of({"sine", "sines", "table"}), yes});
+  const std::vector<KeyEntry> of_table{
+      {"sines", table(of_sines), with("type", "sines")},
+      {"file", text("path, relative to the case file"), with("type", "table"), of_file},
+      {"time_offset_s", number("s"), no,
+       "Added to the times of a table's file: with -12.5 the file's 12.5 s are the case's 0 s. "
+       "Refused with a sine. Default: 0."},
+      {"segments", one_of({"spline", "straight"}), no,
+       "How a table of accelerations goes from point to point. A spline overshoots where the "
+       "acceleration has corners, as at the begin and the end of braking, and `explain` tells by "
+       "how much; straight segments do not. Refused with a sine, and \"straight\" with positions. "
+       "Default: \"spline\"."}};
+  keys.insert(keys.end(), of_table.begin(), of_table.end());
+  keys.insert(keys.end(), of_axis.begin(), of_axis.end());
+  return {
+      key_table(form.table, heading, "no", meaning, keys),
+      key_table(form.table + ".sines", of_sines, "with type = \"sines\"",
+                "The motion is the sum of two sines or more, each with its own ramp. They read "
+                "best as one list, which may run over several lines: `sines = [{ amplitude_m = "
+                "0.02, period_s = 1.3 }, { amplitude_m = 0.005, period_s = 0.7, phase_deg = 90 "
+                "}]`. Each frequency has a forced mode: forced_1, forced_2, ..., of which those "
+                "of a surge come first.",
+                keys_of_sine(form, yes, one_of_three(), "", "Periods of this sine."))};
+}
+
 }  // namespace
+
+std::vector<std::string> names_of_frequency(const std::string& prefix) {
+  std::vector<std::string> names;
+  for (const FrequencyKey& key : frequency_keys) names.push_back(prefix + key.name);
+  return names;
+}
+
+std::optional<double> find_angular_frequency(const TomlTable& table, const std::string& prefix) {
+  std::optional<double> found;
+  for (const FrequencyKey& key : frequency_keys) {
+    const std::string name = prefix + key.name;
+    if (found && table.has(name))
+      table.refuse(name,
+                   fmt::format("exactly one of {}", fmt::join(names_of_frequency(prefix), " | ")));
+    if (const auto given = table.find(name, positive(key.unit))) found = key.angular(*given);
+  }
+  return found;
+}
 
 TableMotion read_surge_table(const TableFile& table) {
   return motion_of(table, read_rows(table, "displacement_m", "acceleration_m_s2"));
@@ -299,59 +348,35 @@ TableMotion read_roll_table(const TableFile& table) {
   return motion;
 }
 
-void read_forcing(const TomlTable& comparison, CaseDefinition& definition) {
-  const FrequencyKeys keys = frequency_keys("forcing_");
-  const bool has_table = surge_table(definition.motion) || roll_table(definition.motion);
-  definition.declared_forcing_frequency = find_angular_frequency(comparison, keys);
-  std::vector<std::string> all = keys.all();
-  all.push_back("forcing");
-  for (const std::string& key : all)
-    if (comparison.has(key) && !has_table)
-      comparison.refuse(key, "no such key without a motion table: a sine has its own frequency");
-  if (!comparison.has("forcing")) return;
-  comparison.choice("forcing", "how the frequency of a motion table is known", {"from_spectrum"});
-  for (const std::string& key : keys.all())
-    if (comparison.has(key)) comparison.refuse(key, "no such key beside forcing");
-  find_in_spectrum(comparison, definition);
-}
+const FieldTable<MotionDefinition> motion_table{
+    {"motion", "[motion]", "yes", "The tank stands still, surges, rolls, or does both."},
+    {{{"still", constant("true"), where("where neither table is there"), "The tank stands."}},
+     {{"surge", table("[motion.surge]"), no}},
+     {{"roll", table("[motion.roll]"), no}}},
+    finish_motion};
 
-FrequencyKeys frequency_keys(const std::string& prefix) {
-  return {prefix + "angular_frequency_rad_s", prefix + "frequency_Hz", prefix + "period_s"};
-}
-
-std::vector<std::string> FrequencyKeys::all() const {
-  return {angular_frequency, frequency, period};
-}
-
-std::optional<double> find_angular_frequency(const TomlTable& table, const FrequencyKeys& keys) {
-  std::vector<std::string> given;
-  for (const std::string& key : keys.all())
-    if (table.has(key)) given.push_back(key);
-  if (given.empty()) return std::nullopt;
-  if (given.size() > 1)
-    table.refuse(given.back(), fmt::format("exactly one of {}", fmt::join(keys.all(), " | ")));
-  return angular_frequency_at(table, keys);
-}
-
-double read_angular_frequency(const TomlTable& table, const FrequencyKeys& keys) {
-  const std::optional<double> given = find_angular_frequency(table, keys);
-  return given ? *given : angular_frequency_at(table, keys);
-}
-
-MotionDefinition read_motion(const TomlTable& motion, const CaseDefinition& definition) {
-  motion.allow_only(keys_of("motion"));
-  const TableScope scope{definition.file, definition.duration};
-  MotionDefinition read;
-  if (motion.has("surge")) read.surge = read_surge(motion.table("surge"), scope);
-  if (motion.has("roll"))
-    read.roll = read_roll(motion.table("roll"), scope, definition.tank.length);
-  const bool says_still = motion.flag("still");
-  if (motion.has("still") && says_still != read.still())
-    motion.refuse("still", read.still() ? "true, or [motion.surge] or [motion.roll] instead"
-                                        : "no such key beside [motion.surge] or [motion.roll]");
-  if (read.still() && !says_still)
-    motion.refuse_table("{}", "still = true, [motion.surge], [motion.roll] or both of these");
-  return read;
+std::vector<KeyTable> motion_tables() {
+  std::vector<KeyTable> tables = tables_of(
+      surges, "The tank's horizontal displacement.",
+      "The phase of A sin(omega t + phase); refused with a table. Default: 0.",
+      "A CSV file with the columns time_s,displacement_m, from the time 0 to duration_s or beyond, "
+      "joined by a cubic spline. Or with time_s,acceleration_m_s2: the spline through these is "
+      "integrated twice, from the position 0 and the velocity 0 at the time 0. Points less than 2 "
+      "ms after another are left out. A table whose acceleration is mostly noise is doubted.",
+      {});
+  std::ranges::move(
+      tables_of(
+          rolls,
+          "The tank's rotation about an axis, which moves with a surge and may lie outside the "
+          "tank.",
+          "The same as for a surge. The tank starts level, so that another phase than 0 or 180 "
+          "needs a ramp.",
+          "A CSV file with the columns time_s,angle_deg, from the time and the angle 0 to "
+          "duration_s or beyond, or with time_s,acceleration_deg_s2. The same as for a surge.",
+          {{"axis_x_m", number("m from the left wall"), yes, "Within 1000 tank lengths."},
+           {"axis_z_m", number("m from the bottom"), yes, "Within 1000 tank lengths."}}),
+      std::back_inserter(tables));
+  return tables;
 }
 
 }  // namespace slosh

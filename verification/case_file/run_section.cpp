@@ -30,22 +30,17 @@ double finest_spacing(const CaseDefinition& definition) {
   return std::sqrt(liquid_area(definition) / most_particles);
 }
 
-Keys together(Keys keys, const Keys& more) {
-  keys.insert(keys.end(), more.begin(), more.end());
-  return keys;
-}
-
 // Throws for a coarse run of liquid at rest in a tank at rest.
-bool read_speed_from_coarse_run(const TomlTable& run, const CaseDefinition& definition) {
-  if (!run.has("expected_speed")) return false;
-  if (run.choice("expected_speed", "where the expected largest speed comes from",
-                 std::vector<std::string>{"estimate", "coarse_run"}) == "estimate")
-    return false;
-  if (definition.motion.still() && !definition.initial_wave && !definition.liquid.column_width)
-    run.refuse("expected_speed",
+void read_expected_speed(const KeyEntry& key, const TomlTable& run,
+                         const CaseDefinition& definition, SphRun& sph) {
+  if (!run.has(key.name)) return;
+  sph.speed_from_coarse_run =
+      read_value<std::string>(key.value, run, key.name, definition) == "coarse_run";
+  if (sph.speed_from_coarse_run && definition.motion.still() && !definition.initial_wave &&
+      !definition.liquid.column_width)
+    run.refuse(key.name,
                "\"estimate\" in a case without motion, initial wave or dam: nothing flows whose "
                "speed a coarse run could measure");
-  return true;
 }
 
 void refuse_idle_seeds(const TomlTable& run, double disorder, const char* unit) {
@@ -77,22 +72,17 @@ auto number_of(std::optional<double> SphNumbers::*member) {
   return [member](SphRun & run) -> auto& { return run.numbers.*member; };
 }
 
-SphRun read_sph(const TomlTable& run, const CaseDefinition& definition) {
-  SphRun sph{};
-  sph_table.read_into(run, definition, sph);
+void finish_sph(const TomlTable& run, const CaseDefinition& definition, SphRun& sph) {
   const double spacing = sph.particle_spacing, finest = finest_spacing(definition);
-  sph.surface_particle_spacing =
-      run.find<double>(
-             "surface_particle_spacing_m",
-             {fmt::format("a number > 0 and <= particle_spacing_m ({}), in m, and >= {:.3g}, the "
-                          "spacing of a hundred million particles",
-                          spacing, finest),
-              [=](double value) { return value >= finest && value <= spacing; }})
-          .value_or(spacing);
+  const Rule<double> finer{
+      fmt::format(
+          "a number > 0 and <= particle_spacing_m ({}), in m, and >= {:.3g}, the spacing of "
+          "a hundred million particles",
+          spacing, finest),
+      [=](double value) { return value >= finest && value <= spacing; }};
+  sph.surface_particle_spacing = run.find("surface_particle_spacing_m", finer).value_or(spacing);
   refuse_idle_seeds(run, sph.start_disorder, "particle spacings");
   refuse_rotation(run, definition, sph);
-  sph.speed_from_coarse_run = read_speed_from_coarse_run(run, definition);
-  return sph;
 }
 
 // The thickness of the cells beside the walls is that of the thinner ones of a uniform mesh at
@@ -120,7 +110,8 @@ void refuse_cells_y(const TomlTable& run, const CaseDefinition& definition, bool
 }
 
 // Throws for a solver without friction, of a tank whose gap walls cause it.
-void refuse_breadth(const TomlTable& run, const CaseDefinition& definition) {
+template <class Run>
+void refuse_breadth(const TomlTable& run, const CaseDefinition& definition, Run&) {
   if (definition.tank.breadth)
     run.refuse("solver",
                "a solver that counts the friction of the gap walls, one of sph, "
@@ -128,13 +119,16 @@ void refuse_breadth(const TomlTable& run, const CaseDefinition& definition) {
                "has breadth_m");
 }
 
-InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definition,
-                            FoamProgram program) {
-  if (program == FoamProgram::compressible_inter_foam && !run.has("cells_y"))
-    refuse_breadth(run, definition);
-  InterFoamRun mesh{};
-  mesh.program = program;
-  interfoam_table.read_into(run, definition, mesh);
+// The names of OpenFOAM's programs in case files.
+constexpr EnumName<FoamProgram> foam_solver_names[] = {
+    {FoamProgram::inter_foam, "interfoam"},
+    {FoamProgram::inter_iso_foam, "interisofoam"},
+    {FoamProgram::compressible_inter_foam, "compressible_interfoam"}};
+
+void finish_interfoam(const TomlTable& run, const CaseDefinition& definition, InterFoamRun& mesh) {
+  mesh.program = value_of(run.written("solver"), foam_solver_names);
+  if (mesh.program == FoamProgram::compressible_inter_foam && !run.has("cells_y"))
+    refuse_breadth(run, definition, mesh);
   if (!run.has("interface_courant_number")) mesh.interface_courant_number = mesh.courant_number;
   mesh.wall_cell = run.find("wall_cell_m", a_wall_cell(definition, mesh.cells_x, mesh.cells_z));
   const bool is_plain = is_rectangle(definition.tank) && definition.obstacles.empty();
@@ -151,70 +145,77 @@ InterFoamRun read_interfoam(const TomlTable& run, const CaseDefinition& definiti
                "no such key for a mesh with [initial_wave], column_width_m or an obstacle: only "
                "a plain level can be disturbed");
   refuse_cells_y(run, definition, mesh.no_slip);
-  return mesh;
 }
 
-LinearRun read_linear(const TomlTable& run, const CaseDefinition& definition) {
-  refuse_breadth(run, definition);
+void finish_linear(const TomlTable& run, const CaseDefinition& definition, LinearRun& linear) {
+  refuse_breadth(run, definition, linear);
   const bool wave_alone = definition.motion.still() && definition.initial_wave;
   if (wave_alone && run.has("modes"))
     run.refuse("modes", "no such key for a still tank: its initial wave is a single mode");
   const bool rectangle = is_rectangle(definition.tank);
   if (!rectangle && run.has("two_layer"))
     run.refuse("two_layer", "no such key for a tank that is no rectangle: its theory has no gas");
-  LinearRun linear{};
   if (!wave_alone)
     linear.modes =
         run.get("modes", rectangle ? integer_between(1, most_modes) : modes_of_outline(definition));
-  linear_table.read_into(run, definition, linear);
-  return linear;
 }
 
-// Reads the run of a theory whose keys its table knows alone.
-template <class Run, const FieldTable<Run>& keys>
-Run read_theory(const TomlTable& run, const CaseDefinition& definition) {
-  refuse_breadth(run, definition);
-  Run theory{};
-  keys.read_into(run, definition, theory);
-  return theory;
+double time_offset(const TomlTable& run) {
+  return run.find("time_offset_s", any_number("s")).value_or(0);
 }
 
-RecordRun read_shipped_record(const TomlTable& run, const CaseDefinition& definition) {
+void finish_record(const TomlTable& run, const CaseDefinition& definition, RecordRun& record) {
   const std::filesystem::path file = definition.file.parent_path() / run.get("file", any_text());
   require_data_file(run, "file", file, definition.file);
   std::vector<std::string> columns;
   for (const std::string& quantity : compared_quantities(definition))
     columns.push_back(quantity + "_" + unit_of(quantity));
   TimeTable table = read_time_table(file, columns);
-  for (const double offset = read_time_offset(run); double& time : table.time) time += offset;
-  const std::string quantity = table.column.substr(0, table.column.find_last_of('_'));
-  return {.file = file,
-          .quantity = quantity,
-          .unit = unit_of(quantity),
-          .time = std::move(table.time),
-          .value = std::move(table.value),
-          .uncertainty = run.find("uncertainty", positive(unit_of(quantity))),
-          .earlier_run = run.flag("earlier_run")};
+  for (const double offset = time_offset(run); double& time : table.time) time += offset;
+  record.file = file;
+  record.quantity = table.column.substr(0, table.column.find_last_of('_'));
+  record.unit = unit_of(record.quantity);
+  record.time = std::move(table.time);
+  record.value = std::move(table.value);
+  record.uncertainty = run.find("uncertainty", positive(record.unit));
 }
 
-// The columns of the quantiles of the experiment's repeats.
-std::optional<std::pair<std::string, std::string>> band_columns(const TomlTable& run) {
-  if (!run.has("lower_column") && !run.has("upper_column")) return std::nullopt;
-  return std::pair{run.get("lower_column", any_text()), run.get("upper_column", any_text())};
-}
-
-std::vector<double> read_column(const RecordRun& record, TimeColumns columns,
-                                const std::string& value, double factor) {
-  columns.value = value;
-  std::vector<double> values = read_time_columns(record.file, columns).value;
-  for (double& one : values) one *= factor;
-  return values;
-}
-
-void read_band(const TomlTable& run, const TimeColumns& columns,
-               const std::pair<std::string, std::string>& edges, double factor, RecordRun& record) {
-  record.lower = read_column(record, columns, edges.first, factor);
-  record.upper = read_column(record, columns, edges.second, factor);
+// Checks the keys even if the record is absent.
+void finish_experiment(const TomlTable& run, const CaseDefinition& definition, RecordRun& record) {
+  record.unit = unit_of(record.quantity);
+  const std::string unit =
+      run.choice("unit", "a unit of " + record.quantity, unit_names(record.unit));
+  const double si = si_value(unit, record.unit);
+  TimeColumns columns{run.get("time_column", any_text()),
+                      run.get("value_column", any_text()),
+                      {"unit", unit, record.quantity, record.unit}};
+  const double factor = si * run.find("scale", positive("1")).value_or(1);
+  const double offset = time_offset(run);
+  record.has_band = run.has("lower_column") || run.has("upper_column");
+  const std::string lower = record.has_band ? run.get("lower_column", any_text()) : "",
+                    upper = record.has_band ? run.get("upper_column", any_text()) : "";
+  const std::filesystem::path& experiments = definition.experiments;
+  const bool named = !experiments.empty();
+  record.file =
+      (named ? experiments : "SLOSH_EXPERIMENTS") /
+      std::filesystem::path(run.get("experiment", path_below_experiments("a CSV file's")));
+  record.uncertainty = run.find("uncertainty", positive(unit));
+  if (record.uncertainty) *record.uncertainty *= si;
+  record.supplied = named && is_record_in(experiments, run, "experiment", record.file);
+  if (!record.supplied) return;
+  const auto read = [&](const std::string& column) {
+    columns.value = column;
+    TimeTable table = read_time_columns(record.file, columns);
+    for (double& value : table.value) value *= factor;
+    return table;
+  };
+  TimeTable table = read(columns.value);
+  record.time = std::move(table.time);
+  for (double& time : record.time) time += offset;
+  record.value = std::move(table.value);
+  if (!record.has_band) return;
+  record.lower = read(lower).value;
+  record.upper = read(upper).value;
   for (std::size_t i = 0; i < record.time.size(); ++i)
     if (!(record.lower[i] <= record.upper[i]))
       run.refuse("upper_column",
@@ -223,126 +224,61 @@ void read_band(const TomlTable& run, const TimeColumns& columns,
                              record.time[i]));
 }
 
-// Checks the keys even if the record is absent.
-RecordRun read_experiment(const TomlTable& run, const CaseDefinition& definition,
-                          const std::filesystem::path& experiments) {
-  const std::string quantity =
-      run.choice("quantity", "a compared quantity", compared_quantities(definition));
-  const std::string unit =
-      run.choice("unit", "a unit of " + quantity, unit_names(unit_of(quantity)));
-  const double si = si_value(unit, unit_of(quantity));
-  const TimeColumns columns{run.get("time_column", any_text()),
-                            run.get("value_column", any_text()),
-                            {"unit", unit, quantity, unit_of(quantity)}};
-  const double factor = si * run.find("scale", positive("1")).value_or(1);
-  const double time_offset = read_time_offset(run);
-  const auto edges = band_columns(run);
-  const bool named = !experiments.empty();
-  RecordRun record{
-      .file = (named ? experiments : "SLOSH_EXPERIMENTS") /
-              std::filesystem::path(run.get("experiment", path_below_experiments("a CSV file's"))),
-      .quantity = quantity,
-      .unit = unit_of(quantity),
-      .time = {},
-      .value = {},
-      .uncertainty = run.find("uncertainty", positive(unit)),
-      .has_band = edges.has_value()};
-  if (record.uncertainty) *record.uncertainty *= si;
-  record.supplied = named && is_record_in(experiments, run, "experiment", record.file);
-  if (!record.supplied) return record;
-  TimeTable table = read_time_columns(record.file, columns);
-  record.time = std::move(table.time);
-  for (double& time : record.time) time += time_offset;
-  record.value = std::move(table.value);
-  for (double& value : record.value) value *= factor;
-  if (edges) read_band(run, columns, *edges, factor, record);
-  return record;
-}
-
 using Solver = decltype(RunDefinition::solver);
-using ReadSolver = std::function<Solver(const TomlTable& run, const CaseDefinition& definition,
-                                        const std::filesystem::path& experiments)>;
 
-// A solver, or one form of its runs, and the function that reads these.
+// The keys of a solver's runs, or of one form of them, and what reads these.
 struct SolverSection {
-  std::string name;
-  ReadSolver read;
-  std::string form = {};        // the key by which this form is recognised
-  const char* table = nullptr;  // of the keys, where another solver's counts
+  template <class Run>
+  SolverSection(const FieldTable<Run>& table)
+      : keys(table), read([&](const auto& run, const auto& definition) -> Solver {
+          return table(run, definition);
+        }) {}
 
-  // The keys beside those that all solvers have.
-  Keys keys() const { return keys_of("run." + (table ? table : form.empty() ? name : form)); }
+  const KeyTable& keys;
+  std::function<Solver(const TomlTable&, const CaseDefinition&)> read;
+
+  bool is_of(const std::string& solver) const {
+    return std::ranges::count(keys.solvers, solver) > 0;
+  }
 };
 
-// Of a function that needs no experiments.
-template <class Run>
-ReadSolver by(Run (*read)(const TomlTable&, const CaseDefinition&)) {
-  return [read](const auto& run, const auto& definition, const auto&) {
-    return read(run, definition);
-  };
-}
-
-// OpenFOAM's programs have the keys of interFoam.
-template <FoamProgram program>
-SolverSection section_of_openfoam(const char* name) {
-  const auto read = [](const auto& run, const auto& definition, const auto&) {
-    return read_interfoam(run, definition, program);
-  };
-  return {.name = name, .read = read, .table = "interfoam"};
-}
-
-const std::vector<SolverSection> solver_sections{
-    {"sph", by(read_sph)},
-    section_of_openfoam<FoamProgram::inter_foam>("interfoam"),
-    section_of_openfoam<FoamProgram::inter_iso_foam>("interisofoam"),
-    section_of_openfoam<FoamProgram::compressible_inter_foam>("compressible_interfoam"),
-    {"linear", by(read_linear)},
-    {"viscous_wave", by(read_theory<ViscousWaveRun, viscous_wave_table>)},
-    {"potential", by(read_theory<PotentialRun, potential_table>)},
-    {"record", by(read_shipped_record)},
-    {"record", read_experiment, "experiment"},
-    {"external", by(read_external_run)},
-    {"stored", by(read_stored_run)},
-    {"pysph", by(read_pysph_run)}};
+const SolverSection solver_sections[] = {
+    sph_table,    interfoam_table,  linear_table,   viscous_wave_table, potential_table,
+    record_table, experiment_table, external_table, stored_table,       pysph_table};
 
 Keys solver_names() {
   Keys names;
   for (const SolverSection& section : solver_sections)
-    if (section.form.empty()) names.push_back(section.name);
+    for (const std::string& solver : section.keys.solvers)
+      if (std::ranges::count(names, solver) == 0) names.push_back(solver);
   return names;
 }
 
-Keys keys_of_any_solver() {
-  Keys all = keys_of("run");
-  for (const SolverSection& section : solver_sections) all = together(all, section.keys());
-  return all;
-}
-
-// Returns the keys of all forms of the solver's runs: the key that identifies the form may be
-// misspelt.
-Keys keys_of_solver(const std::string& name) {
+// Returns the keys of all forms of the solver's runs, as the key that identifies the form may be
+// misspelt; of all solvers where none is named.
+Keys keys_of_solver(const std::string& solver) {
   Keys all = keys_of("run");
   for (const SolverSection& section : solver_sections)
-    if (section.name == name) all = together(all, section.keys());
+    if (solver.empty() || section.is_of(solver))
+      for (const KeyEntry& key : section.keys.keys) all.push_back(key.name);
   return all;
 }
 
+// A record that the user supplies has the key `experiment`.
 const SolverSection& section_of(const TomlTable& run) {
-  if (!run.has("solver")) run.allow_only(keys_of_any_solver());  // it may be misspelt
+  if (!run.has("solver")) run.allow_only(keys_of_solver(""));  // it may be misspelt
   const std::string name = run.choice("solver", "a solver", solver_names());
   run.allow_only(keys_of_solver(name));
-  const SolverSection* found = nullptr;
-  for (const SolverSection& section : solver_sections)
-    if (section.name == name && (section.form.empty() || run.has(section.form))) found = &section;
-  return *found;
+  const std::string form = run.has("experiment") ? "run.experiment" : "";
+  return *std::ranges::find_if(solver_sections, [&](const SolverSection& section) {
+    return section.is_of(name) && (form.empty() || section.keys.id == form);
+  });
 }
 
-RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition,
-                       const std::filesystem::path& experiments) {
+RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition) {
   const SolverSection& section = section_of(run);
-  run.allow_only(together(keys_of("run"), section.keys()));
   return {.name = run.get("name", file_safe_name()),
-          .solver = section.read(run, definition, experiments),
+          .solver = section.read(run, definition),
           .quick = run.flag("quick"),
           .where = run.where(),
           .varies_inputs = run.flag("vary_inputs")};
@@ -374,11 +310,13 @@ const FieldTable<SphRun> sph_table{
      field_of_part<SphRun>(
          "sound_speed_ratio", number_of(&SphNumbers::sound_speed_ratio), number().from(1, 1000), no,
          "c0 / V_max, the speed of sound over the expected largest speed. Default: the scheme's."),
-     {{"expected_speed", one_of({"estimate", "coarse_run"}), no,
+     {{"expected_speed",
+       one_of({"estimate", "coarse_run"}, "where the expected largest speed comes from"), no,
        "Where V_max comes from: sqrt(g h) plus the tank's largest speed, or a first run of the "
        "same flow at a coarser spacing: see [The speed of "
        "sound](schemes.md#the-speed-of-sound). A coarse run is refused where tank and "
-       "liquid are at rest. Default: estimate."}},
+       "liquid are at rest. Default: estimate."},
+      read_expected_speed},
      field_of_part<SphRun>("courant_number", number_of(&SphNumbers::courant_number),
                            number().from(0.001, 10), no, "Default: the scheme's."),
      field_of_part<SphRun>(
@@ -405,7 +343,8 @@ const FieldTable<SphRun> sph_table{
        "Whether each repeat draws every [[input]] of the case anew, from the normal distribution "
        "with the declared 95 % interval, by its seed. It needs repeats. Default: false."}},
      field("energy_budget", &SphRun::energy_budget, flag(), no,
-           "Whether the run records where the liquid's energy goes.")}};
+           "Whether the run records where the liquid's energy goes.")},
+    finish_sph};
 
 const FieldTable<InterFoamRun> interfoam_table{
     key_table(
@@ -416,7 +355,7 @@ const FieldTable<InterFoamRun> interfoam_table{
         "interFoam for a compressible liquid (sound at 1482 m/s) and a gas that is compressed at "
         "constant temperature, 20 °C, from 101325 Pa. SPH is compared with the finest mesh of "
         "interFoam.",
-        {}, {"interfoam", "interisofoam", "compressible_interfoam"}),
+        {}, all_names(foam_solver_names)),
     {field("cells_x", &InterFoamRun::cells_x, integer().from(2, 10000), yes,
            "The number of cells along the tank."),
      field("cells_z", &InterFoamRun::cells_z, integer().from(2, 10000), yes,
@@ -458,7 +397,8 @@ const FieldTable<InterFoamRun> interfoam_table{
            "The same as for SPH."),
      {{"repeats", integer().from(2, 1000), no, "The same as for SPH."}},
      {{"quick_repeats", integer().from(1, Bound("repeats")), no, "The same as for SPH."}},
-     {{"vary_inputs", flag(), no, "The same as for SPH."}}}};
+     {{"vary_inputs", flag(), no, "The same as for SPH."}}},
+    finish_interfoam};
 
 const FieldTable<LinearRun> linear_table{
     key_table(
@@ -477,7 +417,8 @@ const FieldTable<LinearRun> linear_table{
            number("fill depths").above(0).below(1).noting(": a trough of one bares the bottom"),
            yes,
            "The elevation up to which the solution may judge. Beyond it the curve is drawn and "
-           "never gates.")}};
+           "never gates.")},
+    finish_linear};
 
 const FieldTable<ViscousWaveRun> viscous_wave_table{
     key_table(
@@ -487,7 +428,8 @@ const FieldTable<ViscousWaveRun> viscous_wave_table{
         {}, {"viscous_wave"}),
     {field("valid_elevation_over_depth", &ViscousWaveRun::valid_elevation_over_depth,
            number("fill depths").above(0).below(1).noting(": a trough of one bares the bottom"),
-           yes, "The same as for linear theory.")}};
+           yes, "The same as for linear theory.")},
+    refuse_breadth<ViscousWaveRun>};
 
 const FieldTable<PotentialRun> potential_table{
     key_table("run.potential", "[[run]] with solver = \"potential\"", "no",
@@ -498,7 +440,46 @@ const FieldTable<PotentialRun> potential_table{
     {field("nodes_x", &PotentialRun::nodes_x, integer().from(16, 128), no,
            "The number of nodes along the tank. Default: 64."),
      field("nodes_z", &PotentialRun::nodes_z, integer().from(16, 128), no,
-           "The number of nodes over the depth. Default: 24.")}};
+           "The number of nodes over the depth. Default: 24.")},
+    refuse_breadth<PotentialRun>};
+
+const FieldTable<RecordRun> record_table{
+    key_table("run.record", "[[run]] with solver = \"record\", shipped", "no",
+              "A published series that lies beside the case file. It serves only as a reference.",
+              {}, {"record"}),
+    {{{"file", text("path, relative to the case file"), yes,
+       "A CSV file: time_s and a compared quantity with its unit, as in front_position_m."}},
+     {{"time_offset_s", number("s"), no, "Added to the file's times. Default: 0."}},
+     field("earlier_run", &RecordRun::earlier_run, flag(), no,
+           "Whether the series is an earlier run of this harness. Only rows of kind = "
+           "\"regression\" may then rest on it."),
+     {{"uncertainty", number("the record's unit").above(0), no,
+       "Half the width of the record's 95 % interval."}}},
+    finish_record};
+
+const FieldTable<RecordRun> experiment_table{
+    key_table("run.experiment", "[[run]] with solver = \"record\", supplied by the user", "no",
+              "A published series below the directory that `--experiments` or "
+              "`SLOSH_EXPERIMENTS` names. Rows that need it are not compared where it is absent.",
+              {}, {"record"}),
+    {{{"experiment", text("path below that directory"), yes, "A CSV file."}},
+     {{"time_column", text(), yes,
+       "The name of the column of times, in s where the file does not say it."}},
+     {{"value_column", text(), yes, "The name of the column of values."}},
+     field("quantity", &RecordRun::quantity,
+           known("compared quantity", "a compared quantity", compared_quantities), yes,
+           "What the record measures."),
+     {{"unit", text("unit of the quantity"), yes, "The unit of the values."}},
+     {{"time_offset_s", number("s"), no, "The same as for a shipped record."}},
+     {{"scale", number().above(0), no,
+       "The values, and those of the band, are scale times their column. Default: 1."}},
+     {{"lower_column", text(), beside("upper_column"),
+       "The name of the column of a lower quantile of the experiment's repeats. The two make a "
+       "band about the values, for outside_band."}},
+     {{"upper_column", text(), beside("lower_column"), "The same of an upper quantile."}},
+     {{"uncertainty", number("the record's unit").above(0), no,
+       "The same as for a shipped record."}}},
+    finish_experiment};
 
 Rule<double> a_particle_spacing(const CaseDefinition& definition) {
   const double least = finest_spacing(definition), most = definition.liquid.fill_depth;
@@ -509,9 +490,8 @@ Rule<double> a_particle_spacing(const CaseDefinition& definition) {
       [=](double value) { return value >= least && value <= most; }, most};
 }
 
-std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition& definition,
-                                     const std::filesystem::path& experiments) {
-  const RunDefinition read = read_run(run, definition, experiments);
+std::vector<RunDefinition> read_runs(const TomlTable& run, const CaseDefinition& definition) {
+  const RunDefinition read = read_run(run, definition);
   refuse_shared_method(run, read, definition);
   const auto repeats = run.find("repeats", integer_between(2, most_repeats));
   if (run.has("quick_repeats") && !(repeats && read.quick))

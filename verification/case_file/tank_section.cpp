@@ -6,6 +6,7 @@
 
 #include "verification/case/motion.hpp"
 #include "verification/case/shape/outline.hpp"
+#include "verification/case/shape/sensor_place.hpp"
 #include "verification/case/shape/tank_shape.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_sections.hpp"
@@ -30,33 +31,16 @@ void refuse_swallowed_gauges(const TomlTable& table, const ObstacleDefinition& o
   }
 }
 
-bool touches(const ObstacleDefinition& obstacle, Wall wall, const TankDefinition& tank) {
-  switch (wall) {
-    case Wall::left:
-      return obstacle.left == 0;
-    case Wall::right:
-      return obstacle.right == tank.length;
-    case Wall::roof:
-      return obstacle.top == tank.height;
-    case Wall::bottom:
-      break;
-  }
-  return obstacle.bottom == 0;
-}
-
 // A sensor that touches an obstacle at its wall measures the obstacle.
 void refuse_covered_sensors(const TomlTable& table, const ObstacleDefinition& obstacle,
                             const CaseDefinition& definition) {
   for (const PressureGaugeDefinition& gauge : definition.pressure_gauges) {
-    const bool is_level = gauge.wall == Wall::bottom || gauge.wall == Wall::roof;
-    const double first = is_level ? obstacle.left : obstacle.bottom;
-    const double last = is_level ? obstacle.right : obstacle.top;
-    if (!touches(obstacle, gauge.wall, definition.tank) ||
-        gauge.position + gauge.width / 2 < first || gauge.position - gauge.width / 2 > last)
-      continue;
-    table.refuse("name", fmt::format("an obstacle elsewhere: it covers the pressure gauge {} at {} "
-                                     "m",
-                                     gauge.name, gauge.position));
+    const auto [first, last] = sensor_ends(definition.tank, gauge);
+    if (last.x >= obstacle.left && first.x <= obstacle.right && last.z >= obstacle.bottom &&
+        first.z <= obstacle.top)
+      table.refuse("name", fmt::format("an obstacle elsewhere: it covers the pressure gauge {} at "
+                                       "{} m",
+                                       gauge.name, gauge.position));
   }
 }
 
@@ -144,13 +128,13 @@ void refuse_impossible_shape(const TomlTable& tank, const Outline& outline) {
 }
 
 // The corners, or the diameter of a lying cylinder.
-TankDefinition read_outline(const TomlTable& tank) {
+void read_outline(const TomlTable& tank, const CaseDefinition&, TankDefinition& read) {
+  if (!tells_outline(tank)) return;
   const std::string key = tank.has("outline_m") ? "outline_m" : "diameter_m";
   for (const char* other : {"length_m", "height_m", "diameter_m"})
     if (other != key && tank.has(other))
       tank.refuse(other,
                   fmt::format("no {} beside {}, which tells the tank's whole shape", other, key));
-  TankDefinition read{};
   if (key == "diameter_m") {
     read.diameter = tank.get("diameter_m", positive("m"));
     read.outline = cylinder_outline(*read.diameter);
@@ -163,7 +147,27 @@ TankDefinition read_outline(const TomlTable& tank) {
     read.length = std::max(read.length, corner.x);
     read.height = std::max(read.height, corner.z);
   }
-  return read;
+}
+
+void refuse_places(const TomlTable& table, const CaseDefinition& definition,
+                   const ObstacleDefinition& obstacle) {
+  if (obstacle.left == 0 && obstacle.right == definition.tank.length)
+    table.refuse("right_m", fmt::format("a number below the tank's length ({}), in m, for an "
+                                        "obstacle from the left wall: it must leave a way past it",
+                                        definition.tank.length));
+  refuse_swallowed_gauges(table, obstacle, definition);
+  refuse_covered_sensors(table, obstacle, definition);
+  refuse_swallowed_probes(table, obstacle, definition);
+}
+
+void refuse_wave(const TomlTable& wave, const CaseDefinition& definition,
+                 const InitialWaveDefinition&) {
+  if (definition.liquid.column_width)
+    wave.refuse_table("a wave on a dam about to break",
+                      "liquid without column_width_m, which stands from wall to wall");
+  if (!definition.obstacles.empty())
+    wave.refuse_table("a wave over an [[obstacle]]",
+                      "a tank without one, whose modes are cosines from wall to wall");
 }
 
 }  // namespace
@@ -193,7 +197,8 @@ const FieldTable<TankDefinition> tank_table{
            "see otherwise; the theories and compressibleInterFoam, which have no friction there, "
            "are refused, but for a run of the latter in three dimensions (cells_y). Beside "
            "outline_m or diameter_m the motion must have a single frequency. Default: no "
-           "friction.")}};
+           "friction.")},
+    read_outline};
 
 const FieldTable<LiquidDefinition> liquid_table{
     {"liquid", "[liquid]", "yes", ""},
@@ -208,7 +213,9 @@ const FieldTable<LiquidDefinition> liquid_table{
            number("m2/s").at_least(0), beside("density_kg_m3")),
      field("column_width_m", &LiquidDefinition::column_width,
            number("m").above(0).below(tank_length), no,
-           "Makes the liquid a dam about to break: it stands from the left wall to here.")}};
+           "Makes the liquid a dam about to break: it stands from the left wall to here.")},
+    {},
+    {.fill_depth = 0, .density = water_density, .kinematic_viscosity = water_kinematic_viscosity}};
 
 const FieldTable<GasDefinition> gas_table{
     {"gas", "[gas]", "no",
@@ -232,7 +239,8 @@ const FieldTable<ObstacleDefinition> obstacle_table{
            number("m from the left wall").above(Bound("left_m")).at_most(tank_length), yes),
      field("bottom_m", &ObstacleDefinition::bottom, number("m from the bottom").at_least(0), yes),
      field("top_m", &ObstacleDefinition::top,
-           number("m from the bottom").above(Bound("bottom_m")).at_most(tank_height), yes)}};
+           number("m from the bottom").above(Bound("bottom_m")).at_most(tank_height), yes)},
+    refuse_places};
 
 const FieldTable<InitialWaveDefinition> initial_wave_table{
     {"initial_wave", "[initial_wave]", "no, and not with column_width_m or an obstacle",
@@ -243,33 +251,8 @@ const FieldTable<InitialWaveDefinition> initial_wave_table{
      field("amplitude_m", &InitialWaveDefinition::amplitude,
            number("m").other_than_zero().by(within_liquid), yes,
            "The amplitude A. Where it is positive, the crest is at the left wall. Its magnitude "
-           "is below the fill depth and below the room under the roof.")}};
-
-TankDefinition read_tank(const TomlTable& tank, const CaseDefinition& definition) {
-  tank.allow_only(tank_table.names());
-  TankDefinition read = tells_outline(tank) ? read_outline(tank) : TankDefinition{};
-  tank_table.read_into(tank, definition, read);
-  return read;
-}
-
-LiquidDefinition read_liquid(const TomlTable& liquid, const CaseDefinition& definition) {
-  return liquid_table.read_all(liquid, definition,
-                               {.fill_depth = 0,
-                                .density = water_density,
-                                .kinematic_viscosity = water_kinematic_viscosity});
-}
-
-ObstacleDefinition read_obstacle(const TomlTable& table, const CaseDefinition& definition) {
-  const ObstacleDefinition obstacle = obstacle_table.read_all(table, definition);
-  if (obstacle.left == 0 && obstacle.right == definition.tank.length)
-    table.refuse("right_m", fmt::format("a number below the tank's length ({}), in m, for an "
-                                        "obstacle from the left wall: it must leave a way past it",
-                                        definition.tank.length));
-  refuse_swallowed_gauges(table, obstacle, definition);
-  refuse_covered_sensors(table, obstacle, definition);
-  refuse_swallowed_probes(table, obstacle, definition);
-  return obstacle;
-}
+           "is below the fill depth and below the room under the roof.")},
+    refuse_wave};
 
 void refuse_overlaps(const std::vector<TomlTable>& tables,
                      const std::vector<ObstacleDefinition>& obstacles) {
@@ -279,17 +262,6 @@ void refuse_overlaps(const std::vector<TomlTable>& tables,
         tables[i].refuse("left_m", fmt::format("a rectangle that does not overlap that of the "
                                                "obstacle {}",
                                                obstacles[j].name));
-}
-
-InitialWaveDefinition read_initial_wave(const TomlTable& wave, const CaseDefinition& definition) {
-  const InitialWaveDefinition read = initial_wave_table.read_all(wave, definition);
-  if (definition.liquid.column_width)
-    wave.refuse_table("a wave on a dam about to break",
-                      "liquid without column_width_m, which stands from wall to wall");
-  if (!definition.obstacles.empty())
-    wave.refuse_table("a wave over an [[obstacle]]",
-                      "a tank without one, whose modes are cosines from wall to wall");
-  return read;
 }
 
 void refuse_beside_outline(const TomlTable& root, const CaseDefinition& definition) {

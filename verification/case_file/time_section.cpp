@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "verification/case_file/case_sections.hpp"
+#include "verification/fits/dominant_sine.hpp"
 
 namespace slosh {
 
@@ -58,17 +59,81 @@ Rule<double> natural_modes_to_fit(const CaseDefinition& definition) {
 // Fewer show no motion; more make a page that takes long to load.
 constexpr long fewest_times = 3, most_times = 60;
 
-}  // namespace
-
-double read_time_offset(const TomlTable& table) {
-  return table.find("time_offset_s", any_number("s")).value_or(0);
+void list_times(const TomlTable& animation, const CaseDefinition& definition, Animation& read) {
+  const auto& [begin, end, interval, none] = read;
+  const long count = std::lround(std::floor((end - begin) / interval + 1e-9)) + 1;
+  if (!(count >= fewest_times && count <= most_times))
+    animation.refuse("interval_s",
+                     fmt::format("a number that gives {} to {} times from begin_s to end_s, in s",
+                                 fewest_times, most_times));
+  const double first = std::round(begin / definition.sample_interval),
+               stride = std::round(interval / definition.sample_interval);
+  for (long i = 0; i < count; ++i)
+    read.times.push_back((first + static_cast<double>(i) * stride) * definition.sample_interval);
 }
+
+const TableMotion* surge_table(const MotionDefinition& motion) {
+  return motion.surge ? std::get_if<TableMotion>(&*motion.surge) : nullptr;
+}
+
+const TableMotion* roll_table(const MotionDefinition& motion) {
+  return motion.roll ? std::get_if<TableMotion>(&motion.roll->angle) : nullptr;
+}
+
+void find_in_spectrum(const TomlTable& comparison, CaseDefinition& definition) {
+  const TableMotion *surge = surge_table(definition.motion), *roll = roll_table(definition.motion);
+  if (surge && roll)
+    comparison.refuse("forcing",
+                      "forcing_frequency_Hz instead, as two tables have no spectrum in common");
+  const TableMotion& table = surge ? *surge : *roll;
+  try {
+    const DominantSine sine = dominant_sine(
+        {table.file.filename().string(), surge ? "m" : "rad", table.time, table.value},
+        {definition.window_begin, definition.window_end});
+    definition.declared_forcing_frequency = sine.angular_frequency.value;
+    definition.found_forcing = {sine.angular_frequency.half_width, sine.rest};
+  } catch (const ComparisonError& error) {
+    comparison.refuse(
+        "forcing",
+        fmt::format("a motion table that is nearly one sine from {:g} to {:g} s, the window of the "
+                    "comparison; {}. Write forcing_frequency_Hz or forcing_period_s instead to "
+                    "name the frequency that is meant",
+                    definition.window_begin, definition.window_end, error.what()));
+  }
+}
+
+void read_forcing(const TomlTable& comparison, CaseDefinition& definition) {
+  const bool has_table = surge_table(definition.motion) || roll_table(definition.motion);
+  definition.declared_forcing_frequency = find_angular_frequency(comparison, "forcing_");
+  const std::vector<std::string> keys = names_of_frequency("forcing_");
+  for (const char* key : {keys[0].c_str(), keys[1].c_str(), keys[2].c_str(), "forcing"})
+    if (comparison.has(key) && !has_table)
+      comparison.refuse(key, "no such key without a motion table: a sine has its own frequency");
+  if (!comparison.has("forcing")) return;
+  comparison.choice("forcing", "how the frequency of a motion table is known", {"from_spectrum"});
+  for (const std::string& key : keys)
+    if (comparison.has(key)) comparison.refuse(key, "no such key beside forcing");
+  find_in_spectrum(comparison, definition);
+}
+
+void end_window(const TomlTable& comparison, const CaseDefinition&, CaseDefinition& read) {
+  if (!comparison.has("window_end_s")) read.window_end = read.duration;
+  if (!(read.window_begin < read.duration))
+    comparison.refuse("window_begin_s",
+                      fmt::format("a number below the duration ({}), in s", read.duration));
+  read_forcing(comparison, read);
+}
+
+}  // namespace
 
 const FieldTable<CaseDefinition> time_table{
     {"time", "[time]", "yes", ""},
-    {{{"start", one_of(all_names(start_names)), yes,
-       "The frame in which the liquid is at rest at the start. Earth: it stands still, and a "
-       "tank that moves off at once strikes it. Tank: it moves off with the tank."}},
+    {field("start", &CaseDefinition::start, start_names,
+           "the frame in which the liquid is first at rest (earth: the liquid stands still and a "
+           "tank that moves off at once strikes it; tank: the liquid moves off with the tank)",
+           yes,
+           "The frame in which the liquid is at rest at the start. Earth: it stands still, and a "
+           "tank that moves off at once strikes it. Tank: it moves off with the tank."),
      field("duration_s", &CaseDefinition::duration, number("s").above(0), yes),
      field("sample_interval_s", &CaseDefinition::sample_interval,
            number("s").above(0).at_most(case_duration).by(a_sample_interval), yes,
@@ -86,7 +151,8 @@ const FieldTable<Animation> animation_table{
            yes, "A multiple of sample_interval_s, as are the others."),
      field("end_s", &Animation::end, number("s").above(0).at_most(case_duration).by(sampled), yes),
      field("interval_s", &Animation::interval,
-           number("s").above(0).at_most(case_duration).by(sampled), yes)}};
+           number("s").above(0).at_most(case_duration).by(sampled), yes)},
+    list_times};
 
 const FieldTable<CaseDefinition> comparison_table{
     {"comparison", "[comparison]", "yes", "The window in which histories are compared."},
@@ -105,42 +171,7 @@ const FieldTable<CaseDefinition> comparison_table{
        "The forcing frequency of a motion table that is nearly a sine; refused where no motion "
        "is a table."}},
      {{"forcing_frequency_Hz", number("Hz").above(0), no, "The same in another unit."}},
-     {{"forcing_period_s", number("s").above(0), no, "The same as a period."}}}};
-
-void read_time(const TomlTable& time, CaseDefinition& definition) {
-  time.allow_only(time_table.names());
-  definition.start =
-      time.choice("start",
-                  "the frame in which the liquid is first at rest (earth: the liquid stands still "
-                  "and a tank that moves off at once strikes it; tank: the liquid moves off with "
-                  "the tank)",
-                  start_names);
-  time_table.read_into(time, definition, definition);
-}
-
-void read_comparison(const TomlTable& comparison, CaseDefinition& definition) {
-  comparison.allow_only(comparison_table.names());
-  definition.window_end = definition.duration;
-  comparison_table.read_into(comparison, definition, definition);
-  if (!(definition.window_begin < definition.duration))
-    comparison.refuse("window_begin_s",
-                      fmt::format("a number below the duration ({}), in s", definition.duration));
-  read_forcing(comparison, definition);
-}
-
-std::vector<double> read_animation(const TomlTable& animation, const CaseDefinition& definition) {
-  const auto [begin, end, interval] = animation_table.read_all(animation, definition);
-  const long count = std::lround(std::floor((end - begin) / interval + 1e-9)) + 1;
-  if (!(count >= fewest_times && count <= most_times))
-    animation.refuse("interval_s",
-                     fmt::format("a number that gives {} to {} times from begin_s to end_s, in s",
-                                 fewest_times, most_times));
-  std::vector<double> times;
-  const double first = std::round(begin / definition.sample_interval),
-               stride = std::round(interval / definition.sample_interval);
-  for (long i = 0; i < count; ++i)
-    times.push_back((first + static_cast<double>(i) * stride) * definition.sample_interval);
-  return times;
-}
+     {{"forcing_period_s", number("s").above(0), no, "The same as a period."}}},
+    end_window};
 
 }  // namespace slosh

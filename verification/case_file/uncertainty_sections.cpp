@@ -10,6 +10,10 @@
 #include "verification/case_file/key_table.hpp"
 
 namespace slosh {
+
+using namespace key;
+using namespace needed;
+
 namespace {
 
 constexpr EnumName<RefinedNumber> refined_number_names[] = {
@@ -21,22 +25,12 @@ constexpr EnumName<RefinedNumber> refined_number_names[] = {
 
 // Returns the run without the refined number.
 SphRun without(SphRun run, RefinedNumber number) {
-  switch (number) {
-    case RefinedNumber::particle_spacing:
-      run.particle_spacing = run.surface_particle_spacing = 0;
-      break;
-    case RefinedNumber::smoothing_length_ratio:
-      run.numbers.smoothing_length_ratio.reset();
-      break;
-    case RefinedNumber::speed_of_sound:
-      run.numbers.sound_speed_ratio.reset();
-      break;
-    case RefinedNumber::courant_number:
-      run.numbers.courant_number.reset();
-      break;
-    case RefinedNumber::mesh:
-      break;
-  }
+  SphNumbers& numbers = run.numbers;
+  if (number == RefinedNumber::particle_spacing)
+    run.particle_spacing = run.surface_particle_spacing = 0;
+  if (number == RefinedNumber::smoothing_length_ratio) numbers.smoothing_length_ratio.reset();
+  if (number == RefinedNumber::speed_of_sound) numbers.sound_speed_ratio.reset();
+  if (number == RefinedNumber::courant_number) numbers.courant_number.reset();
   run.energy_budget = false;  // it only records
   return run;
 }
@@ -77,20 +71,14 @@ Input read_name(const TomlTable& table, const CaseDefinition& definition) {
   return value_of(table.choice("name", "an input that this case has", names), input_names);
 }
 
-std::string read_coarse_run(const TomlTable& table, const CaseDefinition& definition) {
-  const auto solves_flow = [](const RunDefinition& run) { return solver_kind(run).solves_flow; };
-  return table.choice("coarse_run", "an SPH or OpenFOAM run of this case",
-                      names_where(definition.runs, solves_flow));
+// The runs that solve the flow.
+std::vector<std::string> flow_solvers(const CaseDefinition& definition) {
+  return names_where(definition.runs,
+                     [](const RunDefinition& run) { return solver_kind(run).solves_flow; });
 }
 
-}  // namespace
-
-RefinementDefinition read_refinement(const TomlTable& refinement,
-                                     const CaseDefinition& definition) {
-  refinement.allow_only(keys_of("refinement"));
-  RefinementDefinition path;
-  path.name = refinement.get("name", file_safe_name());
-  path.number = refinement.choice("number", "what the runs refine", refined_number_names);
+void finish_refinement(const TomlTable& refinement, const CaseDefinition& definition,
+                       RefinementDefinition& path) {
   const auto known = names_where(definition.runs, [&](const RunDefinition& run) {
     return !is_later_member(run) && has_number(run, path.number);
   });
@@ -116,12 +104,11 @@ RefinementDefinition read_refinement(const TomlTable& refinement,
     path.runs.push_back(run.text);
   }
   if (path.runs.size() < 2) refinement.refuse("runs", "two runs or more");
-  return path;
 }
 
-InputUncertainty read_input(const TomlTable& table, const CaseDefinition& definition) {
-  table.allow_only(keys_of("input"));
-  const Input input = read_name(table, definition);
+void finish_input(const TomlTable& table, const CaseDefinition& definition,
+                  InputUncertainty& read) {
+  const Input input = read.input = read_name(table, definition);
   if (input == Input::amplitude && definition.motion.surge && definition.motion.roll)
     table.refuse("name", "an input of one motion: this tank surges and rolls");
   if (input == Input::period && !(forcing_frequency(definition) > 0))
@@ -132,8 +119,39 @@ InputUncertainty read_input(const TomlTable& table, const CaseDefinition& defini
                                         {input_unit(input, definition.motion)});
   for (const InputUncertainty& other : definition.inputs)
     if (other.input == input) table.refuse("name", "each input once");
-  return {input, table.get("half_width", positive(unit)), table.get("source", any_text()),
-          table.has("coarse_run") ? read_coarse_run(table, definition) : ""};
+  read.half_width = table.get("half_width", positive(unit));
 }
+
+}  // namespace
+
+const FieldTable<RefinementDefinition> refinement_table{
+    {"refinement", "[[refinement]]", "no",
+     "Runs that differ in one number only. They give the order and the numerical uncertainty."},
+    {field("name", &RefinementDefinition::name, name(), yes),
+     field("number", &RefinementDefinition::number, refined_number_names, "what the runs refine",
+           yes),
+     {{"runs", list("list of run names"), yes,
+       "Two or more, each once: SPH runs, with number = \"particle_spacing\" also the runs of one "
+       "method of an external program, or with number = \"mesh\" the runs of one program of "
+       "OpenFOAM."}}},
+    finish_refinement};
+
+const FieldTable<InputUncertainty> input_table{
+    {"input", "[[input]]", "no", "An input that the experiment knows only within an interval."},
+    {{{"name", text(), yes,
+       "fill_depth, period, amplitude, start_phase, sensor_position, density, kinematic_viscosity "
+       "or gravity, each at most once. A still tank has neither period nor amplitude nor "
+       "start_phase; a tank that surges and rolls has no amplitude, and a motion by a table no "
+       "start_phase."}},
+     {{"half_width", number().above(0), yes, "Half the width of the 95 % interval, in `unit`."}},
+     {{"unit", text(), yes, "The input's unit."}},
+     field("source", &InputUncertainty::source, text(), yes),
+     field("coarse_run", &InputUncertainty::coarse_run,
+           known("name of an SPH or OpenFOAM run", "an SPH or OpenFOAM run of this case",
+                 flow_solvers),
+           no,
+           "Where no theory of the case holds, this run is repeated at both ends of the interval. "
+           "Without it the input's share of such a row's uncertainty is unknown.")},
+    finish_input};
 
 }  // namespace slosh

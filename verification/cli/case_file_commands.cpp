@@ -23,6 +23,7 @@
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/case_file/key_table.hpp"
+#include "verification/case_file/made_cases.hpp"
 #include "verification/cli/campaign/requested_campaign.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/texts/case_explanation.hpp"

@@ -12,7 +12,7 @@
 #include "verification/case/quantities.hpp"
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/case_parser.hpp"
-#include "verification/case_file/spacing_study.hpp"
+#include "verification/case_file/made_cases.hpp"
 #include "verification/cli/command_tree.hpp"
 #include "verification/cli/texts/result_text.hpp"
 #include "verification/files/content_hash.hpp"

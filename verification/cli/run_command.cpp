@@ -262,7 +262,7 @@ int run_one(const RunOptions& options, const Installation& installation) {
   if (!options.campaign.empty())
     add_swept_runs(read_campaign(find_campaign(options.campaign, installation.campaigns),
                                  installation.cases, known_problems()),
-                   experiments, definition);
+                   definition);
   const RunDefinition& run = requested_run(definition, options.run);
   const auto contents = files_read_by(run, definition);  // before the key: a change is seen
   const std::string key =

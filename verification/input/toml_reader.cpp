@@ -279,14 +279,10 @@ std::vector<std::pair<double, double>> TomlTable::pairs(std::string_view key,
 
 std::vector<double> TomlTable::increasing_numbers(std::string_view key,
                                                   const Rule<double>& each) const {
-  std::vector<double> values;
-  if (!has(key)) return values;
-  for (const toml::node& element : content_->elements(key, "numbers, each " + each.expected)) {
-    const double value = content_->element(key, element, each);
-    if (!values.empty() && !(value > values.back()))
-      refuse_element(key, values.size(), "a number above the one before it");
-    values.push_back(value);
-  }
+  if (!has(key)) return {};
+  std::vector<double> values = numbers(key, each);
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (!(values[i] > values[i - 1])) refuse_element(key, i, "a number above the one before it");
   return values;
 }
 

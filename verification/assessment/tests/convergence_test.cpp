@@ -9,7 +9,7 @@
 
 #include "verification/case/ensemble.hpp"
 #include "verification/case_file/case_parser.hpp"
-#include "verification/case_file/spacing_study.hpp"
+#include "verification/case_file/made_cases.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/runs/run_key.hpp"
 #include "verification/tests/surge_results.hpp"

@@ -98,7 +98,7 @@ cases = [] -> cases = (an array): expected at least one case
 tag = 1: expected only these keys here: schema_version, name, title, source, paper, cases, problem,
   sweep, timing; nearest known key: name
 schema_version = 3: expected 1
-paper = "another": expected one of li2010 | zhao2021
+paper = "another": expected a paper, one of li2010, zhao2021
 )");
   const auto refused = [&](const std::string& list, const char* message) {
     EXPECT_TRUE(begins(complaint(head + list), message));
@@ -205,7 +205,7 @@ source = "made for a test"
 CaseDefinition swept_by(const fs::path& campaign) {
   CaseDefinition definition = read_case(campaign.parent_path() / "small.toml");
   const CampaignDefinition swept = read_campaign(campaign, campaign.parent_path(), {});
-  add_swept_runs(swept, "", definition);
+  add_swept_runs(swept, definition);
   require_swept_cases(swept, {definition});
   return definition;
 }

@@ -142,14 +142,6 @@ TEST(CaseParser, ReadsTheProgramOfOpenFoamAndItsSettings) {
 const std::string step =
     "[[obstacle]]\nname = \"step\"\nleft_m = 0.0\nright_m = 0.5\nbottom_m = 0.0\ntop_m = 0.1\n";
 
-TEST(CaseParser, RefusesGradedCellsBesideAnObstacleAndNoSlipOfAnInviscidLiquid) {
-  expect_refusals(valid_text + step, R"(
-run(mesh).wall_cell_m = 0.01: expected no such key in a tank with an obstacle
-liquid.kinematic_viscosity_m2_s = 0.0 & run(mesh).no_slip = true: expected no such key for a liquid
-  without viscosity
-)");
-}
-
 // The case with a narrow tank, an SPH run and one of cells instead of all its runs.
 const std::string narrow_case =
     with_keys(valid_text.substr(0, valid_text.find("[[run]]")), "tank.breadth_m = 0.062") +
@@ -190,11 +182,6 @@ TEST(CaseParser, ReadsTheOtherBoundsOfAGateRow) {
 TEST(CaseParser, TakesAGateRowForAValidationRowUnlessItIsToldOtherwise) {
   EXPECT_EQ(row_with("").kind, RowKind::validation);
   EXPECT_EQ(row_with("gate.kind = \"regression\"").kind, RowKind::regression);
-  expect_refusals(valid_text, R"(
-gate.kind = "validation": accepted
-gate.kind = "measured": expected what the limit comes from, one of validation, regression; nearest:
-  regression
-)");
 }
 
 // A record of the gauge, which is an earlier run of this harness.
@@ -228,19 +215,6 @@ TEST(CaseParser, AddsACoarseRunAtBothEndsOfAnUncertainInput) {
   EXPECT_EQ(upper.at_input->repeated_run, "coarse");
   EXPECT_EQ(definition_solved_by(upper, definition).liquid.fill_depth, 0.5005);
   EXPECT_EQ(definition_solved_by(definition.runs[1], definition).liquid.fill_depth, 0.5);
-}
-
-TEST(CaseParser, RefusesAnInputThatIsNoneOrIsThereTwice) {
-  expect_refusals(valid_text + uncertain_depth, R"(
-input.name = "depth": expected an input that this case has, one of fill_depth, period
-input.unit = "mm": expected the unit of fill_depth, which is m; nearest: m
-input.half_width = 0: expected a number > 0
-input.sources = "a ruler": expected only these keys
-input.coarse_run = "nothing": expected an SPH or OpenFOAM run of this case
-)");
-  expect_refusals(valid_text + uncertain_depth + uncertain_depth, R"(
--> input.name = "fill_depth": expected each input once
-)");
 }
 
 TEST(CaseParser, ReadsRowsOnARunsOwnSeriesOnAWaveAndOnWhatAnErrorCosts) {
@@ -309,26 +283,6 @@ TEST(FindCase, TakesTheNameOfAShippedCaseOrAPathAndNamesTheNearest) {
   EXPECT_THROW(find_case("./li2010_small_amplitude.toml", cases), CaseFileError);
 }
 
-TEST(StartOfARun, IsRefusedWhereItIsTooFarOrHasNothingToVaryOrToTurn) {
-  const std::string uniform = "run(coarse).surface_particle_spacing_m is missing & ";
-  expect_refusals(valid_text, R"(
-run(coarse).start_disorder = 0.21: expected a number from 0 to 0.2, in particle spacings
-run(coarse).start_disorder = 0.1 & run(coarse).start_seed = -1: expected an integer >= 0
-run(coarse).start_seed = 1: expected no such key without start_disorder > 0
-run(coarse).start_disorder = 0 & run(coarse).start_seed = 1: expected no such key without
-  start_disorder > 0
-run(coarse).initial_state = "settled" & run(coarse).start_rotation_deg = 20: expected no such key
-  beside surface_particle_spacing_m
-)");
-  expect_refusals(with_keys(valid_text, uniform + "run(coarse).quick = true"), R"(
-run(coarse).start_rotation_deg = 46: expected a number from 0 to 45, in degrees
-run(coarse).start_rotation_deg = 20: expected initial_state = "settled" beside it: rotated rows do
-  not fit the walls
-run(coarse).initial_state = "projected" & run(coarse).start_rotation_deg = 20: expected
-  initial_state = "settled" beside it
-)");
-}
-
 TEST(Ensemble, OfOneRunIsAsManyThatDifferInTheirSeedAlone) {
   const CaseDefinition definition =
       read_text(with_keys(valid_text,
@@ -367,23 +321,6 @@ TEST(Ensemble, MayDrawTheInputsOfItsMembersAndNeedsNoDisorderThen) {
     EXPECT_EQ(member.drawn_inputs, drawn_inputs(definition.inputs, 5 + k));
   }
   EXPECT_TRUE(definition.runs[1].drawn_inputs.empty());
-}
-
-TEST(Ensemble, IsRefusedWhereItsMembersWouldBeOneRunOrHaveNothingToDraw) {
-  expect_refusals(valid_text, R"(
-run(mesh).start_disorder = 1e-3 & run(mesh).repeats = 2: accepted
-run(coarse).repeats = 4: expected no such key without start_disorder > 0 or vary_inputs: there is
-  nothing to vary (1e-6 particle spacings is enough in a chaotic flow)
-run(coarse).start_disorder = 0 & run(coarse).repeats = 4: expected no such key without
-  start_disorder > 0 or vary_inputs
-run(coarse).start_disorder = 1e-6 & run(coarse).repeats = 1: expected an integer from 2 to 1000
-run(coarse).start_disorder = 1e-6 & run(coarse).repeats = 1001: expected an integer from 2 to 1000
-run(mesh).repeats = 3 & run(mesh).vary_inputs = true: expected no such key without an [[input]]:
-  there is nothing to draw
-)");
-  expect_refusals(valid_text + uncertain_depth, R"(
-run(mesh).vary_inputs = true: expected no such key without repeats
-)");
 }
 
 TEST(Ensemble, MayHaveFewerMembersInTheQuickForm) {

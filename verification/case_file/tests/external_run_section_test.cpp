@@ -2,6 +2,8 @@
 // refused.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "verification/case/solver_kinds.hpp"
 #include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/messages.hpp"
@@ -20,50 +22,31 @@ std::string text_with(const std::string& keys) {
   return text + "[[run]]\nname = \"mine\"\nsolver = \"external\"\n" + keys;
 }
 
-ExternalRun read_external(const std::string& keys) {
-  const Workspace workspace;
-  workspace.write("numbers.txt", "1");
-  const CaseDefinition definition = read_case(workspace.write("trial.toml", text_with(keys)));
-  ExternalRun run = std::get<ExternalRun>(definition.runs.back().solver);
-  for (std::filesystem::path& input : run.inputs)
-    input = input.lexically_relative(workspace.path());
-  return run;
-}
-
+// The settings are those that the run's key hashes.
 TEST(ExternalRunSection, SaysWhatIsStartedAndWhatItLeaves) {
-  const ExternalRun run = read_external(
-      command +
-      "method = \"my_sph\"\nparticle_spacing_m = 0.02\ntime_limit_s = 60\ninputs = "
-      "[\"numbers.txt\"]\n" +
-      series +
-      "unit = \"mm\"\ntime_column = \"t\"\ntime_unit = \"ms\"\nscale = -2\noffset = 0.5\n"
-      "time_offset_s = -3\n"
-      "[[run.series]]\nquantity = \"force_x\"\nfile = \"f.dat\"\nformat = \"sphinxsys\"\n"
-      "column = \"Force[0]\"\ndatum = \"first\"\n");
-  EXPECT_EQ(run.command, (std::vector<std::string>{"./solve", "--case", "{case_file}", ""}));
+  const RunDefinition read =
+      read_trial(
+          {text_with(
+               command +
+               "method = \"my_sph\"\nparticle_spacing_m = 0.02\ntime_limit_s = 60\n"
+               "inputs = [\"numbers.txt\"]\n" +
+               series +
+               "unit = \"mm\"\ntime_column = \"t\"\ntime_unit = \"ms\"\nscale = -2\noffset = 0.5\n"
+               "time_offset_s = -3\n"
+               "[[run.series]]\nquantity = \"force_x\"\nfile = \"f.dat\"\nformat = \"sphinxsys\"\n"
+               "column = \"Force[0]\"\ndatum = \"first\"\n"),
+           {{"numbers.txt", "1"}}})
+          .runs.back();
+  EXPECT_EQ(hashed_settings(read).dump(),
+            R"({"external":[["./solve","--case","{case_file}",""],)"
+            R"([["elevation@right","out/swl.csv","csv","eta","mm","t","ms",-2.0,0.5,false,-3.0],)"
+            R"(["force_x","f.dat","sphinxsys","Force[0]","","","",1.0,0.0,true]]],)"
+            R"("particle_spacing":0.02})");
+  const auto& run = std::get<ExternalRun>(read.solver);
   EXPECT_EQ(run.time_limit, 60);
   EXPECT_EQ(run.method, "my_sph");
-  EXPECT_EQ(run.particle_spacing, 0.02);
-  EXPECT_EQ(run.inputs, std::vector<std::filesystem::path>{"numbers.txt"});
+  EXPECT_EQ(run.inputs.at(0).filename(), "numbers.txt");
   EXPECT_TRUE(run.directory.empty());
-  ASSERT_EQ(run.series.size(), 2u);
-  const SeriesSource& first = run.series[0];
-  EXPECT_EQ(first.quantity, "elevation@right");
-  EXPECT_EQ(first.file, "out/swl.csv");
-  EXPECT_EQ(first.format, "csv");
-  EXPECT_EQ(first.column, "eta");
-  EXPECT_EQ(first.unit, "mm");
-  EXPECT_EQ(first.time_column, "t");
-  EXPECT_EQ(first.time_unit, "ms");
-  EXPECT_EQ(first.scale, -2);
-  EXPECT_EQ(first.offset, 0.5);
-  EXPECT_EQ(run.series[1].scale, 1);
-  EXPECT_EQ(first.time_offset, -3);
-  EXPECT_EQ(run.series[1].offset, 0);
-  EXPECT_EQ(run.series[1].time_offset, 0);
-  EXPECT_TRUE(run.series[1].first_is_zero);
-  EXPECT_FALSE(first.first_is_zero);
-  EXPECT_TRUE(run.series[1].unit.empty());
 }
 
 // Otherwise two methods would be shown, and judged, as one.
@@ -204,19 +187,14 @@ std::string with_pysph(const std::string& keys) {
 
 TEST(PysphRunSection, IsAnExternalRunOfTheShippedDriver) {
   const CaseDefinition definition = read_text(with_pysph("particle_spacing_m = 0.05\n"));
-  const auto& run = std::get<ExternalRun>(definition.runs.back().solver);
-  EXPECT_EQ(run.command,
-            (std::vector<std::string>{"{peers_directory}/pysph_tank.py", "{tank_file}",
-                                      "{work_directory}", "edac", "{particle_spacing_m}"}));
-  EXPECT_EQ(run.method, "pysph_edac");
-  EXPECT_EQ(run.particle_spacing, 0.05);
-  EXPECT_EQ(run.cores, 1);
-  EXPECT_EQ(run.facts, "cost.json");
-  ASSERT_EQ(run.series.size(), 2u);
-  EXPECT_EQ(run.series[1].quantity, "elevation@left");
-  EXPECT_EQ(run.series[1].column, "left");
-  EXPECT_EQ(run.series[1].unit, "m");
-  EXPECT_EQ(run.series[1].time_unit, "s");
+  EXPECT_EQ(hashed_settings(definition.runs.back()).dump(),
+            R"({"cores":1,"external":[["{peers_directory}/pysph_tank.py","{tank_file}",)"
+            R"("{work_directory}","edac","{particle_spacing_m}"],)"
+            R"([["elevation@right","elevation.csv","csv","right","m","t","s",1.0,0.0,false],)"
+            R"(["elevation@left","elevation.csv","csv","left","m","t","s",1.0,0.0,false]]],)"
+            R"("facts":"cost.json","particle_spacing":0.05,)"
+            R"("version":["{peers_directory}/pysph_tank.py","--version"]})");
+  EXPECT_EQ(method_of(definition.runs.back()), "pysph_edac");
 }
 
 TEST(PysphRunSection, IsRefusedWhereTheDriverCannotFollow) {
@@ -286,15 +264,11 @@ file = "mine.csv"
 TEST(StoredRunSection, NeedsAPlainTableAndNothingElse) {
   const CaseDefinition definition = read_trial(
       {mine, {{"mine.csv", "t,elevation@left [mm],depth,elevation@right\n0,1,2,3\n1,1,2,3\n"}}});
-  const StoredRun run = std::get<StoredRun>(definition.runs.back().solver);
-  ASSERT_EQ(run.series.size(), 2u);
-  EXPECT_EQ(run.series[0].quantity, "elevation@left");
-  EXPECT_EQ(run.series[0].unit, "") << "as the file says";
-  EXPECT_EQ(run.series[1].quantity, "elevation@right");
-  EXPECT_EQ(run.series[1].unit, "m");
-  EXPECT_EQ(run.series[1].time_column, "t");
-  EXPECT_EQ(run.series[1].time_unit, "s");
-  EXPECT_TRUE(run.facts.empty());
+  EXPECT_EQ(hashed_settings(definition.runs.back()).dump(),
+            R"({"stored":[[["elevation@left","mine.csv","csv","elevation@left","","t","s",1.0,)"
+            R"(0.0,false],["elevation@right","mine.csv","csv","elevation@right","m","t","s",1.0,)"
+            R"(0.0,false]],"",0.0]})");
+  EXPECT_TRUE(std::get<StoredRun>(definition.runs.back().solver).facts.empty());
   EXPECT_EQ(family(definition.runs.back()), "mine");
   EXPECT_FALSE(particle_spacing(definition.runs.back()));
 }

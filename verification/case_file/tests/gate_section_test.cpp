@@ -4,7 +4,7 @@
 #include "verification/case/field_times.hpp"
 #include "verification/case/metric_table.hpp"
 #include "verification/case_file/campaign_parser.hpp"
-#include "verification/case_file/groups.hpp"
+#include "verification/case_file/case_sections.hpp"
 #include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/messages.hpp"
 #include "verification/tests/trial_case.hpp"

@@ -49,50 +49,6 @@ TEST(PressureGauge, MayBeTheOnlyGauge) {
                                       "momentum_z"}));
 }
 
-TEST(PressureGauge, IsRefusedWhereItMakesNoSense) {
-  const std::string keys = "name = \"b\"\nwall = \"left\"\nposition_m = 0.1\n";
-  expect_refusals(with_gauge(keys), R"(
-pressure_gauge.wall is missing: expected a wall, one of left, right, bottom
-pressure_gauge.wall = "lift": expected a wall, one of left, right, bottom, roof; nearest: left
-pressure_gauge.position_m is missing: expected a number from 0 to the tank's height (1), in m from
-  the bottom
-pressure_gauge.position_m = 1.001: expected a number from 0 to the tank's height (1)
-pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 2.1: expected a number from 0 to the
-  tank's length (2), in m from the left wall
-pressure_gauge.wall = "roof" & pressure_gauge.position_m = 2.1: expected a number from 0 to the
-  tank's length (2), in m from the left wall
-pressure_gauge.position_m = 0.005 & pressure_gauge.width_m = 0.011: expected a number >= 0 and <=
-  0.01, in m: the whole sensor lies on the wall
-pressure_gauge.filter_cutoff_Hz = 50: expected a number > 0 and below half the sampling rate (50), in
-  Hz
-)");
-  expect_refusals(with_gauge(keys + "[[pressure_gauge]]\n" + keys), R"(
--> pressure_gauge.name = "b": expected a name that no other pressure_gauge has
-)");
-}
-
-TEST(PressureGauge, IsNotBehindAnObstacle) {
-  const std::string gauge =
-      "name = \"b\"\nwall = \"left\"\nposition_m = 0.205\nwidth_m = 0.02\n[[obstacle]]\n";
-  expect_refusals(
-      with_gauge(gauge + "name = \"step\"\nleft_m = 0\nright_m = 0.3\nbottom_m = 0\ntop_m = 0.2\n"),
-      R"(
--> obstacle.name = "step": expected an obstacle elsewhere: it covers the pressure gauge b at 0.205 m
-pressure_gauge.position_m = 0.215: accepted
-pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 0.1 -> obstacle.name = "step": expected
-pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 0.4: accepted
-pressure_gauge.wall = "right" & pressure_gauge.position_m = 0.1: accepted
-pressure_gauge.wall = "bottom" & pressure_gauge.position_m = 0.1 & obstacle.bottom_m = 0.1: accepted
-pressure_gauge.wall = "roof" & pressure_gauge.position_m = 0.1 & obstacle.bottom_m = 0.8 &
-  obstacle.top_m = 1 -> obstacle.name = "step": expected
-pressure_gauge.wall = "roof" & pressure_gauge.position_m = 0.1 & obstacle.bottom_m = 0.8 &
-  obstacle.top_m = 0.9: accepted
-pressure_gauge.wall = "right" & pressure_gauge.position_m = 0.3 & obstacle.left_m = 1.8 &
-  obstacle.right_m = 2 & obstacle.bottom_m = 0.25 & obstacle.top_m = 0.4 -> obstacle.name = "step":
-  expected
-)");
-}
-
 TEST(ComparedQuantities, HaveTheCasesElevationsFirstAndThenItsWallPressures) {
   CaseDefinition definition{};
   definition.gauges = {{"right", 1.95}};
@@ -109,43 +65,12 @@ TEST(ComparedQuantities, HaveTheCasesElevationsFirstAndThenItsWallPressures) {
   for (const std::string& quantity : rolling_dam) EXPECT_NE(unit_of(quantity), "");
 }
 
-TEST(GateOnAnyQuantity, HasTheUnitOfItsMetricOrOfTheQuantity) {
-  expect_refusals(valid_text, R"(
-gate.quantity = "force_x" & gate.metric = "phase_lag" & gate.unit = "deg": accepted
-gate.quantity = "force_x" & gate.mode = "whole" & gate.metric = "mean_offset" & gate.unit = "N/m":
-  accepted
-gate.quantity = "momentum_z" & gate.mode = "whole" & gate.metric = "aligned_rms": accepted
-gate.mode = "whole" & gate.metric = "mean_offset" & gate.unit = "m": accepted
-gate.quantity = "force_x" & gate.mode = "whole" & gate.metric = "mean_offset" & gate.unit = "m":
-  expected the unit of mean_offset, which is N/m
-gate.quantity = "force_z" -> gate.mode = "forced": expected what amplitude_error is measured on, of
-  which there is none
-gate.quantity = "moment": expected a compared quantity, one of
-)");
-  expect_refusals(
-      with_keys(valid_text,
-                "gate.reference is missing & gate.quantity = \"highest_surface@left\" & "
-                "gate.mode = \"whole\" & gate.metric = \"largest_magnitude\""),
-      R"(
-gate.unit = "m": accepted
-gate.unit = "mm": expected the unit of highest_surface@left, which is m
-)");
-}
-
 TEST(SnapshotTimes, AreIncreasingMultiplesOfTheSampleInterval) {
   const std::string text =
       with_keys(valid_text, "time.snapshot_times_s = [0.01, 3.45, 3.95, 4.35, 4.75, 20]");
   EXPECT_EQ(read_text(text).snapshot_times,
             (std::vector<double>{0.01, 3.45, 3.95, 4.35, 4.75, 20}));
   EXPECT_TRUE(read_text(valid_text).snapshot_times.empty());
-  expect_refusals(valid_text, R"(
-time.snapshot_times_s = 3: expected an array of numbers, each a
-time.snapshot_times_s = [1, 0] -> time.snapshot_times_s = 0: expected a number > 0 and <= the
-  duration (20), a multiple of sample_interval_s (0.01), in s
-time.snapshot_times_s = [3.455] -> time.snapshot_times_s = 3.455: expected a number > 0 and <= the
-time.snapshot_times_s = ["1"] -> time.snapshot_times_s = "1": expected a number > 0 and <= the
-time.snapshot_times_s = [2, 1] -> time.snapshot_times_s = 1: expected a number above the one before it
-)");
   const std::string third =
       complaint_about({"duration_s = 20.0", "snapshot_times_s = [2,\n\n1]\nduration_s = 20.0"});
   EXPECT_TRUE(begins(third, "trial.toml:25: time.snapshot_times_s = 1: expected"));
@@ -161,25 +86,6 @@ TEST(ProbeSection, GivesAPlaceInTheTank) {
   EXPECT_EQ(definition.probes[0].name, "middle");
   EXPECT_EQ(definition.probes[0].x, 1);
   EXPECT_EQ(definition.probes[0].z, 0.2);
-}
-
-TEST(ProbeSection, RefusesAPlaceOutsideTheTankAndANameGivenTwice) {
-  const std::string one = "[[probe]]\nname = \"a\"\nx_m = 1\nz_m = 0.2\n";
-  expect_refusals(valid_text + one, R"(
-probe.x_m = 2.1: expected a number from 0 to the tank's length (2), in m from the left wall
-probe.z_m = -0.2: expected a number from 0 to the tank's height (1), in m from the bottom
-wall_forces = ["front"] -> wall_forces = (an array): expected a list of walls (left, right, bottom,
-  roof), each once
-wall_forces = ["left", "left"] -> wall_forces = (an array): expected a list of walls
-)");
-  expect_refusals(valid_text + one + one,
-                  R"(-> probe.name = "a": expected a name that no other probe)");
-  expect_refusals(valid_text + one +
-                      "[[obstacle]]\nname = \"block\"\nleft_m = 0.9\nright_m = "
-                      "1.1\nbottom_m = 0\ntop_m = 0.3\n",
-                  R"(
--> obstacle.name = "block": expected an obstacle elsewhere: it holds the probe a at (1, 0.2) m
-)");
 }
 
 TEST(WallForcesKey, NamesTheWallsWhoseForcesAreCompared) {

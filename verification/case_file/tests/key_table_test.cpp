@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "verification/case_file/made_cases.hpp"
 #include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/messages.hpp"
 #include "verification/tests/trial_case.hpp"

@@ -191,11 +191,6 @@ motion.roll.ramp_periods = 1: expected only these keys here: type, file
 motion.surge.phase_deg = 1: expected only these keys here: type, file
 -> motion.surge.file = "surge.csv": expected a file relative
 )");
-  expect_refusals(valid_text, R"(
-motion.surge.phase_deg = 361: expected a number from -360 to 360, in deg
-comparison.forcing_angular_frequency_rad_s = 1.5: expected no such key without a motion table: a
-  sine has its own frequency
-)");
 }
 
 TEST(MotionSection, RefusesABadTableByItsOwnLine) {

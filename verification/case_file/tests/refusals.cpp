@@ -159,12 +159,19 @@ CaseDefinition read_trial(const Trial& trial) {
 }
 
 void expect_refusals(const Trial& trial, const std::string& rows) {
+  std::string base = trial.text;
   for (const std::string& row : rows_of(rows)) {
     SCOPED_TRACE(row);
+    if (row.starts_with("+ ")) {
+      base = trial.text;
+      for (const std::string& one : split(row.substr(2), " + "))
+        base = trial.tables.contains(one) ? base + trial.tables.at(one) : with_keys(base, one);
+      continue;
+    }
     const std::size_t end = std::min(row.find(": expected"), row.find(": accepted"));
     if (end == row.npos) throw std::logic_error("no row: " + row);
     std::vector<std::string> told = split(" " + row.substr(0, end), " -> ");
-    const std::string text = with_keys(trial.text, told.front().erase(0, 1));
+    const std::string text = with_keys(base, told.front().erase(0, 1));
     if (row.substr(end) == ": accepted")
       EXPECT_EQ(complaint_of(trial, text), "");
     else

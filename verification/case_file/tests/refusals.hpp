@@ -12,11 +12,13 @@ namespace slosh {
 
 // A case file's text and the files beside it, which are those of its experiments too.
 struct Trial {
-  Trial(std::string text, std::map<std::string, std::string> files = {})
-      : text(std::move(text)), files(std::move(files)) {}
+  Trial(std::string text, std::map<std::string, std::string> files = {},
+        std::map<std::string, std::string> tables = {})
+      : text(std::move(text)), files(std::move(files)), tables(std::move(tables)) {}
 
   std::string text;
   std::map<std::string, std::string> files;
+  std::map<std::string, std::string> tables;  // which rows may add to the text, by their names
   // What the reader says of the file, without its directory; by default, what that of cases says.
   std::function<std::string(const std::filesystem::path&)> complaint = {};
 };
@@ -33,7 +35,8 @@ CaseDefinition read_trial(const Trial& trial);
 //   CHANGES [-> SUBJECT]: expected WORDS ... FURTHER WORDS
 // and the message begins "trial.toml:LINE: SUBJECT: expected WORDS", with the line of the subject's
 // key or table and, unless the row says otherwise, the last change for the subject. A row that ends
-// ": accepted" is read without a complaint. An indented line goes on with the row above.
+// ": accepted" is read without a complaint. An indented line goes on with the row above. The rows
+// below "+ NAME + CHANGES" are of the text with this table and these changes.
 void expect_refusals(const Trial& trial, const std::string& rows);
 
 // The same of a file beside the case, whose lines stand in place of the changes: "HEAD | 0,1 | 1,2

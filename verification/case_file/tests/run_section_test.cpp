@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "verification/case_file/key_table.hpp"
-#include "verification/case_file/spacing_study.hpp"
+#include "verification/case_file/made_cases.hpp"
 #include "verification/case_file/tests/refusals.hpp"
 #include "verification/tests/messages.hpp"
 #include "verification/tests/trial_case.hpp"

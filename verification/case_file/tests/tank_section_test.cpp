@@ -113,10 +113,6 @@ pressure_gauge.z_m = 0.5 & pressure_gauge.x_m = 1.6: expected x_m and z_m of a p
 pressure_gauge.wall = "left": expected no wall in a tank that is no rectangle, where x_m and z_m tell
   a sensor's place
 )");
-  expect_refusals(valid_text + "[[pressure_gauge]]\nname = \"b\"\nz_m = 0\n", R"(
-pressure_gauge.x_m = 1: expected no x_m in a rectangular tank, where wall and position_m tell a
-  sensor's place
-)");
 }
 
 TEST(ProbeOfAnOutline, IsInsideIt) {

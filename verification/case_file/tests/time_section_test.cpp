@@ -47,10 +47,6 @@ TEST(CaseFile, IsOfWaterUnderAirOnTheEarthUnlessItSaysOtherwise) {
 }
 
 TEST(CaseFile, NamesBothPropertiesOfALiquidThatIsNotWaterAndTheGasAboveALighterOne) {
-  expect_refusals(valid_text, R"(
-liquid.density_kg_m3 is missing: expected a number > 0, in kg/m3
-liquid.kinematic_viscosity_m2_s is missing: expected
-)");
   expect_refusals(without(valid_text, gas),
                   R"(liquid.density_kg_m3 = 1.1 -> gas is missing: expected)");
 }
@@ -59,16 +55,6 @@ TEST(CaseFile, GivesAFrequencyInAnyOfThreeWays) {
   EXPECT_EQ(surge_frequency("angular_frequency_rad_s = 1.5\n"), 1.5);
   EXPECT_DOUBLE_EQ(surge_frequency("period_s = 4\n"), std::numbers::pi / 2);
   EXPECT_DOUBLE_EQ(surge_frequency("frequency_Hz = 0.25\n"), std::numbers::pi / 2);
-}
-
-TEST(CaseFile, GivesAFrequencyOnce) {
-  expect_refusals(valid_text, R"(
-motion.surge.period_s = 4: expected exactly one of angular_frequency_rad_s | frequency_Hz | period_s
-motion.surge.angular_frequency_rad_s is missing & motion.surge.period_s = 0: expected a number > 0, in
-  s
-motion.surge.angular_frequency_rad_s is missing: expected
-comparison.forcing_period_s = 4: expected no such key without a motion table
-)");
 }
 
 // [animation] of a case file: its times, and what is refused.
@@ -163,10 +149,6 @@ TEST(ForcingSection, NamesWhatToWriteForATableOfTwoSines) {
 }
 
 TEST(ForcingSection, RefusesASpectrumThatIsNotATablesOrIsNamedBesideOrIsNeeded) {
-  expect_refusals(valid_text, R"(
-comparison.forcing = "from_spectrum": expected no such key without a motion table: a sine has its own
-  frequency
-)");
   expect_refusals({with_comparison(from_spectrum), {{"surge.csv", table_of(sine)}}}, R"(
 comparison.forcing_period_s = 2: expected no such key beside forcing
 comparison.forcing = "spectrum": expected how the frequency of a motion table is known, which is

@@ -100,7 +100,7 @@ std::vector<CaseDefinition> read_cases(const CampaignDefinition& campaign,
           throw CaseFileError(
               fmt::format("{}: name = \"{}\": expected a name other than that of {}", file.string(),
                           definition.name, other.file.string()));
-      add_swept_runs(campaign, experiments, definition);
+      add_swept_runs(campaign, definition);
       cases.push_back(std::move(definition));
     });
   complaints.tell();

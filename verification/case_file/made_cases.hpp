@@ -1,5 +1,5 @@
-// A convergence study as a case file of its own: the tank, motion and comparison of a case, with
-// one SPH scheme, or one method of an external program, at several spacings and one reference.
+// Case files that are made from another case: a convergence study of its runs, and a case of the
+// user's own.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +10,8 @@
 
 namespace slosh {
 
+// The tank, motion and comparison of a case, with one SPH scheme, or one method of an external
+// program, at several spacings and one reference.
 struct SpacingStudy {
   // Exactly one of the two is given: a run of the case, which keeps all its settings but the
   // spacing, or a scheme or the method of an external run of the case.
@@ -37,5 +39,13 @@ struct StudyText {
 // candidate or reference, if the candidate has not one spacing, or if the spacings are not three or
 // more different numbers > 0.
 StudyText spacing_study_text(const CaseDefinition& definition, const SpacingStudy& study);
+
+// Returns the text of a case of the user's own, to be edited: the file of another case, reduced to
+// its theories and one SPH run with its gate rows, where each key is explained by its row. The kept
+// SPH run is the coarsest of those that a gate row judges by a limit. Files that the case names are
+// named by their whole paths. Records that only the user has, ensembles, refinements, uncertain
+// inputs and animations are left out. Throws CaseFileError for a name that no case may have, and
+// for a case without an SPH run.
+std::string commented_case(const CaseDefinition& like, const std::string& name);
 
 }  // namespace slosh

@@ -1,4 +1,4 @@
-#include "verification/case_file/spacing_study.hpp"
+#include "verification/case_file/made_cases.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,8 @@
 #include <set>
 #include <sstream>
 
-#include "verification/case_file/groups.hpp"
+#include "verification/case/solver_kinds.hpp"
+#include "verification/case_file/case_sections.hpp"
 #include "verification/input/case_file_error.hpp"
 #include "verification/input/nearest_name.hpp"
 #include "verification/input/toml_reader.hpp"
@@ -115,6 +116,112 @@ void name_whole_paths(toml::table& table, const CaseDefinition& definition,
     if (toml::array* command = table[key].as_array()) name_whole_command(*command, directory);
 }
 
+// Breaks a text into comment lines of at most 100 columns.
+std::string comment(const std::string& text) {
+  constexpr std::size_t columns = 100;
+  std::istringstream stream(text);
+  std::string lines, line = "#";
+  for (std::string word; stream >> word;) {
+    if (line.size() + 1 + word.size() > columns) {
+      lines += line + "\n";
+      line = "#";
+    }
+    line += " " + word;
+  }
+  return lines + line + "\n";
+}
+
+const RunDefinition& kept_simulation(const CaseDefinition& like) {
+  const RunDefinition* kept = nullptr;
+  bool is_judged = false;
+  for (const RunDefinition& run : like.runs) {
+    if (!solver_kind(run).has_particles || !run.ensemble.empty() || run.at_input) continue;
+    const bool judged = std::any_of(like.gate.begin(), like.gate.end(), [&](const GateRow& row) {
+      return row.candidate == run.name && row.limit;
+    });
+    if (kept &&
+        (is_judged > judged || (is_judged == judged && resolution(*kept) <= resolution(run))))
+      continue;
+    kept = &run;
+    is_judged = judged;
+  }
+  if (!kept)
+    throw CaseFileError(
+        like.file.string() +
+        ": run: expected an SPH run that is no ensemble, to be kept in the new case");
+  return *kept;
+}
+
+bool stays(const RunDefinition& run) {
+  const auto* record = std::get_if<RecordRun>(&run.solver);
+  return is_theory(run) || (record && record->supplied && !record->earlier_run);
+}
+
+// Writes tables with a comment on each key where it stands for the first time in the file.
+class CommentedTables {
+ public:
+  // `heading` is empty for the top level.
+  void add(const toml::table& table, const std::string& heading) {
+    const std::vector<const KeyTable*> tables =
+        tables_of(heading, table["solver"].value_or(std::string()));
+    text_ += "\n";
+    std::string absent;
+    for (const KeyTable* keys : tables)
+      if (!heading.empty() && !keys->meaning.empty() && told_.insert(keys->id).second)
+        text_ += comment(keys->meaning);
+    if (!heading.empty()) text_ += heading + "\n";
+    for (const KeyTable* keys : tables)
+      for (const KeyEntry& key : keys->keys) {
+        if (key.value.is_table()) continue;
+        const toml::node* node = table.get(key.name);
+        if (told_.insert(keys->id + "." + key.name).second)
+          (node ? text_ : absent) += comment((node ? "" : "Not here: ") + key.name + ": " +
+                                             key.value.words() + ". " + key.meaning);
+        std::ostringstream line;
+        if (node) line << key.name << " = " << toml::toml_formatter(*node, quoted) << "\n";
+        text_ += line.str();
+      }
+    text_ += absent;
+    for (const KeyTable* keys : tables)
+      for (const KeyEntry& key : keys->keys)
+        if (key.value.is_table()) add_parts(table.get(key.name), key.value.heading);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  // The tables of the keys: the table's own and, in a run, that of its solver.
+  static std::vector<const KeyTable*> tables_of(const std::string& heading,
+                                                const std::string& solver) {
+    std::vector<const KeyTable*> tables;
+    bool found = false;  // a record's first form is the shipped one
+    for (const KeyTable& one : case_key_tables()) {
+      const bool is_solvers = !found && std::ranges::count(one.solvers, solver) > 0;
+      if (is_solvers || (heading.empty() ? one.id == "case" : one.heading == heading))
+        tables.push_back(&one);
+      found |= is_solvers;
+    }
+    return tables;
+  }
+  void add_parts(const toml::node* node, const std::string& heading) {
+    if (!node) return;
+    if (const toml::table* table = node->as_table()) add(*table, heading);
+    if (const toml::array* array = node->as_array())
+      for (const toml::node& element : *array) add(*element.as_table(), heading);
+  }
+
+  static constexpr toml::format_flags quoted =
+      toml::toml_formatter::default_flags & ~toml::format_flags::allow_literal_strings;
+
+  std::set<std::string> told_;
+  std::string text_;
+};
+
+void name_whole_file(toml::table& table, const CaseDefinition& definition) {
+  if (const auto file = table["file"].value<std::string>())
+    table.insert_or_assign(
+        "file", (absolute(definition.file).parent_path() / *file).lexically_normal().string());
+}
+
 }  // namespace
 
 std::string study_run_name(const SpacingStudy& study, double spacing) {
@@ -151,6 +258,43 @@ StudyText spacing_study_text(const CaseDefinition& definition, const SpacingStud
   std::ostringstream text;
   text << root << "\n";
   return {text.str(), std::move(tables)};
+}
+
+std::string commented_case(const CaseDefinition& like, const std::string& name) {
+  const Rule<std::string> rule = file_safe_name();
+  if (!rule.holds(name)) throw CaseFileError("name = \"" + name + "\": expected " + rule.expected);
+  const std::string candidate = kept_simulation(like).name;
+  std::set<std::string> kept{"", candidate};
+  for (const RunDefinition& run : like.runs)
+    if (stays(run)) kept.insert(run.name);
+  toml::array runs, rows;
+  for (const TomlTable& run : declared_runs(like))
+    if (kept.contains(run.written("name"))) {
+      toml::table table = toml::parse(run.as_toml());
+      name_whole_file(table, like);
+      runs.push_back(std::move(table));
+    }
+  auto read = like.gate.begin();
+  for (const TomlTable& group : TomlTable(like.text, like.file).tables("gate"))
+    for (const TomlTable& row : gate_rows(group, like)) {
+      const GateRow& one = *read++;
+      if (one.candidate == candidate && kept.contains(one.reference) && !is_cost(one.metric) &&
+          kept.contains(one.improves_on.value_or("")))
+        rows.push_back(toml::parse(row.as_toml()));
+    }
+  toml::table root = toml::parse(like.text);
+  for (const char* left_out : {"refinement", "input", "animation", "gate"}) root.erase(left_out);
+  root.insert_or_assign("name", name);
+  root.insert_or_assign("run", std::move(runs));
+  if (!rows.empty()) root.insert_or_assign("gate", std::move(rows));
+  for (const char* part : {"surge", "roll"})
+    if (toml::table* motion = root["motion"][part].as_table()) name_whole_file(*motion, like);
+  CommentedTables tables;
+  tables.add(root, "");
+  return comment("A case like " + like.name +
+                 ": change its numbers, then try ./slosh explain. A key that may stand "
+                 "here and does not is explained as \"Not here\".") +
+         tables.text();
 }
 
 }  // namespace slosh
