@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::ArrayXd, Eigen::MatrixXd, Eigen::RowVectorXd, Eigen::VectorXd;
 
-constexpr int modes = 16, points = 2 * modes;  // of products of three no mode is aliased
+// A wave has its second and third harmonics among the modes.
+constexpr int fewest_modes = 16, most_modes = 64, harmonics = 3;
 constexpr double step_of_fastest = 0.3;        // [rad] of the last mode in one step
 constexpr double share_of_step = 1e-2;         // of the difference along the solution
 // The last modes would grow from rounding, as in nonlinear_potential_flow.cpp.
@@ -39,10 +40,22 @@ struct State {
   }
 };
 
+int count_of_modes(const ThirdOrderWaves& waves) {
+  return std::clamp(harmonics * waves.initial_wave.mode, fewest_modes, most_modes);
+}
+
 class Waves {
  public:
+  const int modes;
+
   explicit Waves(const ThirdOrderWaves& waves)
-      : waves_(waves), k_(modes), g0_(modes), shape_(points, modes), slope_(points, modes) {
+      : modes(count_of_modes(waves)),
+        waves_(waves),
+        k_(modes),
+        g0_(modes),
+        shape_(2 * modes, modes),
+        slope_(2 * modes, modes) {
+    const int points = 2 * modes;  // of products of three no mode is aliased
     const double length = waves.tank.length;
     for (int n = 0; n < modes; ++n) {
       k_[n] = (n + 1) * std::numbers::pi / length;
@@ -68,7 +81,10 @@ class Waves {
     State state{VectorXd::Zero(modes),
                 -waves_.initial_velocity * along_ - waves_.initial_spin * around_};
     const auto& [mode, amplitude] = waves_.initial_wave;
-    if (mode <= modes) state.elevation[mode - 1] = amplitude;
+    if (harmonics * mode <= most_modes)
+      state.elevation[mode - 1] = amplitude;
+    else
+      state.elevation.setConstant(std::nan(""));
     return state;
   }
 
@@ -178,7 +194,7 @@ class Waves {
   VectorXd along_, around_;
 };
 
-RowVectorXd shape_at(const Tank& tank, double x) {
+RowVectorXd shape_at(const Tank& tank, double x, Eigen::Index modes) {
   RowVectorXd shape(modes);
   for (int n = 0; n < modes; ++n) shape[n] = mode_shape(tank, n + 1, x);
   return shape;
@@ -198,13 +214,14 @@ struct ThirdOrderRecord::Below {
 
 // 0 where the surface is below the place.
 ThirdOrderRecord::Row ThirdOrderRecord::wet(double x, double z) const {
-  return ((shape_at(tank_, x) * all_.elevation).array() >= z)
+  return ((shape_at(tank_, x, all_.elevation.rows()) * all_.elevation).array() >= z)
       .select(Row::Ones(force_.size()), Row::Zero(force_.size()));
 }
 
 ThirdOrderRecord::Below ThirdOrderRecord::below(double x, double z) const {
   const double height = std::max(0.0, z + tank_.fill_depth);
-  const RowVectorXd shape = shape_at(tank_, x);
+  const Eigen::Index modes = all_.elevation.rows();
+  const RowVectorXd shape = shape_at(tank_, x, modes);
   Below at{RowVectorXd::Zero(modes + 1), RowVectorXd::Zero(modes + 1),
            RowVectorXd::Zero(modes + 1)};
   at.potential[0] = 1;
@@ -226,11 +243,11 @@ ThirdOrderRecord::Below ThirdOrderRecord::below(double x, double z) const {
 }
 
 std::vector<double> ThirdOrderRecord::linear_elevation(double x) const {
-  return values_of(shape_at(tank_, x) * linear_.elevation);
+  return values_of(shape_at(tank_, x, all_.elevation.rows()) * linear_.elevation);
 }
 
 std::vector<double> ThirdOrderRecord::elevation(double x) const {
-  return values_of(shape_at(tank_, x) * (all_.elevation - linear_.elevation));
+  return values_of(shape_at(tank_, x, all_.elevation.rows()) * (all_.elevation - linear_.elevation));
 }
 
 std::vector<double> ThirdOrderRecord::velocity(const RowVectorXd& shape, double of_turn,
@@ -290,8 +307,8 @@ std::vector<double> ThirdOrderRecord::moment(double x, double z) const {
     add(-height * (at_z - z), half, at_z);
     add(-width * (at_x - x), at_x, -tank_.fill_depth);
   }
-  const Row left = (shape_at(tank_, -half) * all_.elevation).array(),
-            right = (shape_at(tank_, half) * all_.elevation).array();
+  const Row left = (shape_at(tank_, -half, all_.elevation.rows()) * all_.elevation).array(),
+            right = (shape_at(tank_, half, all_.elevation.rows()) * all_.elevation).array();
   const auto above = [&](const Row& eta) -> Row {
     return tank_.density * tank_.gravity / 2 * eta.square() * (eta / 3 - z);
   };
@@ -306,7 +323,8 @@ ThirdOrderRecord third_order_waves(const ThirdOrderWaves& waves, const std::vect
   record.tank_ = waves.tank;
   record.acceleration_ = record.force_ = ThirdOrderRecord::Row::Zero(count);
   for (ThirdOrderRecord::Modes* one : {&record.linear_, &record.all_})
-    *one = {MatrixXd(modes, count), MatrixXd(modes + 1, count), MatrixXd(modes + 1, count)};
+    *one = {MatrixXd(of_tank.modes, count), MatrixXd(of_tank.modes + 1, count),
+            MatrixXd(of_tank.modes + 1, count)};
   State linear = of_tank.start(), all = linear;
   double t = 0;
   for (Eigen::Index i = 0; i < count; ++i) {

@@ -81,10 +81,36 @@ TEST(ThirdOrderWaves, HaveTheFrequencyOfTadjbakhshAndKeller) {
   }
 }
 
+// Where a wave of mode m has its crests and troughs, walls would change nothing: it is the first of
+// a tank of length L / m.
+TEST(ThirdOrderWaves, OfAHighModeAreThoseOfTheFirstInAShorterTank) {
+  const auto times = instants_up_to(3, 0.01);
+  for (const int mode : {5, 14, 20}) {
+    const Tank whole{.length = 1, .fill_depth = 0.35, .gravity = 9.81, .density = 1000};
+    Tank part = whole;
+    part.length /= mode;
+    const double amplitude = 0.2 * part.length / std::numbers::pi;
+    const auto of_whole =
+        third_order_waves({.tank = whole, .initial_wave = {mode, amplitude}}, times);
+    const auto of_part = third_order_waves({.tank = part, .initial_wave = {1, amplitude}}, times);
+    const auto found = of_whole.elevation(-0.5), expected = of_part.elevation(-part.length / 2);
+    double largest = 0, apart = 0;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      largest = std::max(largest, std::abs(expected[i]));
+      apart = std::max(apart, std::abs(found[i] - expected[i]));
+    }
+    EXPECT_GT(largest, 0.05 * amplitude) << "kA is 0.2";
+    EXPECT_LT(apart, 0.02 * largest) << mode << ", whose fourth harmonic is left out";
+  }
+}
+
 TEST(ThirdOrderWaves, AreNotFiniteWhereTheyOutgrowTheExpansionAndRefuseAnImpossibleTank) {
   const auto steep = third_order_waves({.tank = {1, 0.35, 9.81, 1000}, .initial_wave = {1, 0.3}},
                                        instants_up_to(20, 0.05));
   EXPECT_FALSE(std::isfinite(steep.elevation(0.5).back()));
+  const auto short_wave = third_order_waves(
+      {.tank = {1, 0.35, 9.81, 1000}, .initial_wave = {22, 1e-4}}, instants_up_to(1, 0.05));
+  EXPECT_FALSE(std::isfinite(short_wave.elevation(0.5).back())) << "its third harmonic is 66";
   EXPECT_THROW(third_order_waves({.tank = {1, -0.35, 9.81, 1000}}, {0, 1}), std::invalid_argument);
   EXPECT_THROW(third_order_waves({.tank = {1, 0.35, 9.81, 1000}}, {0, 1}).elevation(0.6),
                std::invalid_argument);

@@ -241,7 +241,8 @@ std::string validity_range(const CaseDefinition& definition, const RunDefinition
 }
 
 double predicted_steepness(const CaseDefinition& definition, const RunResult& result) {
-  return pi / still_surface(definition).length() *
+  const int mode = definition.initial_wave ? definition.initial_wave->mode : 1;
+  return mode * pi / still_surface(definition).length() *
          recorded(result, "highest_elevation_over_depth") * definition.liquid.fill_depth;
 }
 

@@ -1,9 +1,10 @@
 // The range in which a reference may gate. Outside its range its curve is still drawn, but it never
 // judges.
 //   linear theory   The case declares the largest valid elevation A, as the theory itself predicts
-//                   it, over the fill depth. The steepness is limited to k_1 A <= 0.2, k_1 = pi /
-//                   L, where the second order adds k A / 2, a tenth, to a crest. No natural mode
-//                   that the motion excites may be nearer to the forcing than
+//                   it, over the fill depth. The steepness is limited to k A <= 0.2, k = m pi / L
+//                   of an initial wave of mode m or else pi / L, where the second order adds k A
+//                   / 2, a tenth, to a crest. No natural mode that the motion excites may be nearer
+//                   to the forcing than
 //                   |(omega / omega_n)^2 - 1| = (b / L)^(2/3), b the motion's amplitude (theta L /
 //                   2 for a roll): nearer to it the response is no longer proportional to b
 //                   (Moiseev 1958, J. Appl. Math. Mech. 22:860; Faltinsen 1974, J. Ship Res.
@@ -33,8 +34,8 @@ inline constexpr double steepest_linear_wave = 0.2, most_left_out = 0.005;
 std::string validity_range(const CaseDefinition& definition, const RunDefinition& run,
                            const RunResult& result);
 
-// Returns k A, with k = pi / L and A the highest elevation that a theory of small waves predicts;
-// NaN for any other result.
+// Returns k A, with k = pi / L, or m pi / L of an initial wave of mode m, and A the highest
+// elevation that a theory of small waves predicts; NaN for any other result.
 double predicted_steepness(const CaseDefinition& definition, const RunResult& result);
 
 // Why the reference is outside its range in this case. Returns nullopt where it is inside.

@@ -231,20 +231,6 @@ void read_compared_series(const TomlTable& row, const MetricEntry& metric,
       read_unit(row, metric.name, metric_unit(metric.metric, unit_of(gate_row.quantity)));
 }
 
-// Of such a series the first value is 0 whatever the program prints.
-bool counts_from_its_first_value(const CaseDefinition& definition, const GateRow& row) {
-  const auto counts_so = [&](const auto& solver) {
-    if constexpr (requires { solver.series; })
-      return std::any_of(solver.series.begin(), solver.series.end(), [&](const SeriesSource& one) {
-        return one.quantity == row.quantity && one.first_is_zero;
-      });
-    return false;
-  };
-  return std::any_of(definition.runs.begin(), definition.runs.end(), [&](const auto& run) {
-    return run.name == row.candidate && std::visit(counts_so, run.solver);
-  });
-}
-
 // Which series a solver records beside the compared quantities, and in which unit, is known only
 // after the run. The gate reports a wrong name or unit then, and the row is not compared.
 void read_own_series(const TomlTable& row, const MetricEntry& metric,
@@ -260,11 +246,16 @@ void read_own_series(const TomlTable& row, const MetricEntry& metric,
     gate_row.unit = known ? read_unit(row, gate_row.quantity, unit_of(gate_row.quantity))
                           : row.get("unit", any_text());
   }
-  if (metric.metric == Metric::initial_value && counts_from_its_first_value(definition, gate_row))
+  const bool takes_the_rest = metric.metric == Metric::largest_magnitude &&
+                              !gate_row.quantity.starts_with("elevation@");
+  if ((metric.metric == Metric::initial_value || takes_the_rest) &&
+      counts_from_its_first_value(definition, gate_row.candidate, gate_row.quantity))
     row.refuse("metric",
                fmt::format("another metric: {} of {} counts from its first value (datum = "
-                           "\"first\"), so that its initial_value is 0 whatever the program prints",
-                           gate_row.quantity, gate_row.candidate));
+                           "\"first\"), so that its {}",
+                           gate_row.quantity, gate_row.candidate,
+                           takes_the_rest ? "largest_magnitude is without the load at rest"
+                                          : "initial_value is 0 whatever the program prints"));
 }
 
 // Each metric of impacts needs what it compares with.

@@ -215,8 +215,8 @@ Comparison compare(const PreparedSeries& candidate, const PreparedSeries& refere
                     reference.series.name));
   compare_whole_window(outside_gaps(candidate.series, samples_of_both(candidate.series, all)),
                        blocks_of(result.window, modes), result);
-  result.candidate_wave = wave_statistics(common.candidate);
-  result.reference_wave = wave_statistics(common.reference);
+  result.candidate_wave = wave_statistics(common.time, common.candidate);
+  result.reference_wave = wave_statistics(common.time, common.reference);
   if (!reference.constant) require_swing(result);
   for (const double value : without_mean(common.reference))
     result.largest_departure = std::max(result.largest_departure, std::abs(value));

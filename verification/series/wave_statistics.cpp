@@ -28,10 +28,33 @@ double median_magnitude(std::vector<double> values) {
   return median(std::move(values));
 }
 
+// Equal where the samples are equally spaced.
+std::vector<double> shares_of_time(const std::vector<double>& times) {
+  const std::size_t count = times.size();
+  if (count == 1) return {1};
+  const auto before = [&](std::size_t i) { return i > 0 ? times[i] - times[i - 1] : 0; };
+  const auto after = [&](std::size_t i) { return i + 1 < count ? times[i + 1] - times[i] : 0; };
+  std::vector<double> shares;
+  double whole = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_end = i == 0 || i + 1 == count;
+    shares.push_back((before(i) + after(i)) / (is_end ? 1 : 2));
+    whole += shares.back();
+  }
+  for (double& share : shares) share /= whole;
+  return shares;
+}
+
 }  // namespace
 
-WaveStatistics wave_statistics(const std::vector<double>& values) {
-  return {.mean = mean(values), .deviation = rms(without_mean(values))};
+WaveStatistics wave_statistics(const std::vector<double>& times,
+                               const std::vector<double>& values) {
+  const std::vector<double> share = shares_of_time(times);
+  double mean = 0, squares = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) mean += share[i] * values[i];
+  for (std::size_t i = 0; i < values.size(); ++i)
+    squares += share[i] * (values[i] - mean) * (values[i] - mean);
+  return {.mean = mean, .deviation = std::sqrt(squares)};
 }
 
 double noise_share(const TimeSeries& series) {

@@ -1,7 +1,9 @@
 // Statistics of a wave whose single crests depend on small disturbances, as after breaking: the
-// moments of one series over a window, and the white noise in it. With y_i the samples and m their
-// mean:
-//   deviation     s = sqrt(sum (y_i - m)^2 / n)
+// moments of one series over a window, and the white noise in it. With y_i the samples and w_i the
+// share of the time that each stands for, to the middle between it and its neighbours and as far
+// beyond the ends:
+//   mean          m = sum w_i y_i
+//   deviation     s = sqrt(sum w_i (y_i - m)^2)
 //   noise share   median |D^4 y| / (0.6745 sqrt(70)) / s
 // with D^4 y = y_(i-2) - 4 y_(i-1) + 6 y_i - 4 y_(i+1) + y_(i+2) of equally spaced samples. White
 // noise of deviation sigma gives D^4 y the variance 70 sigma^2 (the sum of the squared weights;
@@ -22,7 +24,8 @@ struct WaveStatistics {
   double mean, deviation;
 };
 
-WaveStatistics wave_statistics(const std::vector<double>& values);
+// The times rise. Requires a sample.
+WaveStatistics wave_statistics(const std::vector<double>& times, const std::vector<double>& values);
 
 // The noise share of a series that cut_to_window() has checked. Unequally spaced samples are first
 // interpolated to as many equally spaced ones. Throws ComparisonError for fewer than 16 samples and

@@ -61,15 +61,28 @@ double steep_wave(double t) {
 }
 
 TEST(WaveStatistics, GiveMeanAndDeviationOfAKnownWave) {
-  const auto wave = wave_statistics(sampled(steep_wave, 0, 10 * period).value);
+  const TimeSeries series = sampled(steep_wave, 0, 10 * period);
+  const auto wave = wave_statistics(series.time, series.value);
   EXPECT_NEAR(wave.mean, 0.02, 2e-4);  // both ends of the window are counted
+  EXPECT_NEAR(wave.deviation, std::sqrt(0.5 * (0.01 + 0.0009)), 2e-4);
+}
+
+// A logger that writes nine times as often for a while, here at every crest.
+TEST(WaveStatistics, AreThoseOfTheTimeWhereverTheSamplesLieDense) {
+  TimeSeries series;
+  for (double t = 0; t < 10 * period; t += std::abs(std::remainder(t, period)) < 0.2 ? 1e-3 : 9e-3)
+    series.time.push_back(t);
+  for (const double t : series.time) series.value.push_back(steep_wave(t));
+  EXPECT_GT(mean(series.value), 0.06) << "of the samples";
+  const auto wave = wave_statistics(series.time, series.value);
+  EXPECT_NEAR(wave.mean, 0.02, 2e-4);
   EXPECT_NEAR(wave.deviation, std::sqrt(0.5 * (0.01 + 0.0009)), 2e-4);
 }
 
 TEST(NoiseShare, FindsWhiteNoiseOfAnyStrengthInASteepWave) {
   const auto clean = sampled(steep_wave, 0, 24);
   EXPECT_LT(noise_share(clean), 1e-4);
-  const double deviation = wave_statistics(clean.value).deviation;
+  const double deviation = wave_statistics(clean.time, clean.value).deviation;
   for (const double strength : {0.02, 0.1, 0.3})
     for (std::uint64_t seed = 1; seed <= 5; ++seed)
       EXPECT_NEAR(noise_share(with_noise(clean, strength * deviation, 0, seed)),
