@@ -40,7 +40,7 @@ Names panel_labels(const reports::FieldFigure& figure) {
 
 TEST(CaseFields, HaveARowForAMomentAndAColumnForASolver) {
   const CaseRuns runs = runs_with_snapshots({"particles", "coarse_mesh", "fine_mesh"}, {1, 2});
-  const auto fields = case_fields(assess(rolling_case(), runs));
+  const auto fields = case_fields({rolling_case(), runs, {}, {}, {}});
   ASSERT_EQ(fields.size(), 1u);
   EXPECT_EQ(fields[0].id, "small_surge-fields-1");
   EXPECT_EQ(fields[0].title, "Pressure and velocity at 1 and 2 s");
@@ -49,13 +49,13 @@ TEST(CaseFields, HaveARowForAMomentAndAColumnForASolver) {
             (Names{"particles, t = 1 s, roll 5.73°", "fine_mesh, t = 1 s, roll 5.73°",
                    "particles, t = 2 s, roll 0.00°", "fine_mesh, t = 2 s, roll 0.00°"}));
   EXPECT_EQ(fields[0].value_range.first, fields[0].value_range.second);
-  EXPECT_TRUE(case_fields(assess(rolling_case(), surge_runs())).empty());
-  EXPECT_TRUE(case_fields(assess(surge_case(), surge_runs())).empty());
+  EXPECT_TRUE(case_fields({rolling_case(), surge_runs(), {}, {}, {}}).empty());
+  EXPECT_TRUE(case_fields({surge_case(), surge_runs(), {}, {}, {}}).empty());
 }
 
 TEST(CaseFields, ShowPressureAndVelocityInTheTankAsItIsTurned) {
   const CaseRuns runs = runs_with_snapshots({"particles"}, {1});
-  const auto fields = case_fields(assess(rolling_case(), runs));
+  const auto fields = case_fields({rolling_case(), runs, {}, {}, {}});
   ASSERT_EQ(fields.size(), 1u);
   ASSERT_EQ(fields[0].panels.size(), 1u);
   const reports::FieldPanel& panel = fields[0].panels[0];
@@ -81,13 +81,13 @@ TEST(CaseFields, OfATankThatDoesNotRollStandLevelInItsOutline) {
   CaseDefinition definition = surge_case();
   definition.snapshot_times = {1};
   const CaseRuns runs = runs_with_snapshots({"particles"}, {1});
-  const reports::FieldPanel level = case_fields(assess(definition, runs)).at(0).panels.at(0);
+  const reports::FieldPanel level = case_fields({definition, runs, {}, {}, {}}).at(0).panels.at(0);
   EXPECT_EQ(level.angle, 0);
   EXPECT_EQ(level.label, "particles, t = 1 s");
   EXPECT_TRUE(level.outline.empty());
   definition.tank.outline = {{0.2, 0}, {0.8, 0}, {1, 1}, {0, 1}};
   definition.natural_modes = 0;
-  const reports::FieldPanel panel = case_fields(assess(definition, runs)).at(0).panels.at(0);
+  const reports::FieldPanel panel = case_fields({definition, runs, {}, {}, {}}).at(0).panels.at(0);
   ASSERT_EQ(panel.outline.size(), 4u);
   EXPECT_EQ(panel.outline[1].x, 0.8);
   EXPECT_EQ(panel.outline[2].z, 1);
@@ -116,8 +116,12 @@ TEST(CaseFields, LeaveThePlaceOfASnapshotThatIsMissingEmpty) {
 TEST(CaseFields, AreCutWhereTheyHaveTooManyMoments) {
   CaseDefinition definition = rolling_case();
   definition.snapshot_times = {1, 2, 3, 4, 5, 6};
-  const auto fields = case_fields(
-      assess(definition, runs_with_snapshots({"particles", "fine_mesh"}, {1, 2, 3, 4, 5, 6})));
+  const auto fields =
+      case_fields({definition,
+                   runs_with_snapshots({"particles", "fine_mesh"}, {1, 2, 3, 4, 5, 6}),
+                   {},
+                   {},
+                   {}});
   ASSERT_EQ(fields.size(), 2u);
   EXPECT_EQ(fields[0].panels.size(), 6u);
   EXPECT_EQ(fields[1].panels.size(), 6u);
@@ -136,7 +140,7 @@ TEST(CaseFields, AreCutWhereTheyHaveTooManyColumns) {
   }
   for (FieldSnapshot& one : runs.results.at("delta_sph").snapshots)
     for (double& pressure : one.pressure) pressure *= 10;
-  const auto fields = case_fields(assess(definition, runs));
+  const auto fields = case_fields({definition, runs, {}, {}, {}});
   ASSERT_EQ(fields.size(), 2u);
   EXPECT_EQ(fields[0].value_range, fields[1].value_range);
   EXPECT_EQ(fields[0].value_range.second, 2000);  // of delta_sph, which stands in the second
@@ -156,7 +160,7 @@ CaseRuns animated_runs(const Names& names) { return runs_with_snapshots(names, {
 
 // The last of the case's fields; the test fails where it is no animation.
 reports::FieldFigure animation_of(const CaseDefinition& definition, const CaseRuns& runs) {
-  const auto fields = case_fields(assess(definition, runs));
+  const auto fields = case_fields({definition, runs, {}, {}, {}});
   if (fields.empty() || !fields.back().is_animation) {
     ADD_FAILURE() << "no animation";
     return {};
@@ -172,7 +176,7 @@ TEST(CaseAnimation, IsTheLastFieldAndHasTheFinestRunOfEachSolverAtEachMoment) {
   CaseDefinition definition = animated_case();
   definition.snapshot_times = {1, 2};
   const CaseRuns runs = animated_runs({"particles", "coarse_mesh", "fine_mesh"});
-  const auto fields = case_fields(assess(definition, runs));
+  const auto fields = case_fields({definition, runs, {}, {}, {}});
   ASSERT_EQ(fields.size(), 2u);
   EXPECT_FALSE(fields[0].is_animation);
   EXPECT_EQ(fields[0].panels.size(), 4u);  // of the two snapshot times alone
@@ -207,7 +211,8 @@ TEST(CaseAnimation, LeavesOutAMomentThatNoRunRecorded) {
   EXPECT_EQ(animation_of(animated_case(), runs).panels.size(), 4u);
   for (const std::string run : {"particles", "fine_mesh"})
     runs.results.at(run).snapshots.pop_back();
-  EXPECT_TRUE(case_fields(assess(animated_case(), runs)).empty()) << "one moment is no animation";
+  EXPECT_TRUE(case_fields({animated_case(), runs, {}, {}, {}}).empty())
+      << "one moment is no animation";
 }
 
 }  // namespace
