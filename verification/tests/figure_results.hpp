@@ -64,13 +64,39 @@ inline std::vector<std::string> ids(const std::vector<reports::Figure>& figures)
   return names;
 }
 
+// The surge with theory and these runs instead of its own, which nothing judges.
+inline CaseAssessment unjudged(const std::vector<ScaledRun>& runs) {
+  CaseAssessment assessment{surge_case(), {}, {}, {}, {}};
+  std::vector<RunDefinition>& declared = assessment.definition.runs;
+  declared.resize(1);
+  assessment.runs.results["theory"] = result_of("theory", elevation_of({}));
+  for (const ScaledRun& one : runs) {
+    declared.push_back(sample_run(one.solver));
+    declared.back().name = one.name;
+    assessment.runs.results[one.name] = result_of(one.name, scaled(elevation_of({}), one.scale));
+  }
+  for (const RunDefinition& run : declared)
+    assessment.runs.status[run.name] = {RunState::finished, ""};
+  return assessment;
+}
+
+// On the case's page and in its appendix.
+inline std::vector<reports::Figure> figures_of(const CaseAssessment& assessment) {
+  std::vector<reports::Figure> figures = case_figures(assessment);
+  for (const reports::Figure& figure : appendix_figures(assessment)) figures.push_back(figure);
+  return figures;
+}
+
 // Of the given id behind "small_surge-"; an empty one where there is none.
-inline reports::Figure figure_of(const CaseAssessment& assessment, const std::string& id) {
-  for (const std::vector<reports::Figure>& figures :
-       {case_figures(assessment), appendix_figures(assessment)})
-    for (const reports::Figure& figure : figures)
-      if (figure.id == "small_surge-" + id) return figure;
+inline reports::Figure figure_of(const std::vector<reports::Figure>& figures,
+                                 const std::string& id) {
+  for (const reports::Figure& figure : figures)
+    if (figure.id == "small_surge-" + id) return figure;
   return {};
+}
+
+inline reports::Figure figure_of(const CaseAssessment& assessment, const std::string& id) {
+  return figure_of(figures_of(assessment), id);
 }
 
 inline std::vector<std::string> labels(const reports::Figure& figure) {

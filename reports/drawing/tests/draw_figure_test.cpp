@@ -20,7 +20,8 @@
 namespace slosh::reports::draw_figure_test {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
 
 Figure simple_figure(const std::string& id, std::vector<double> y) {
   Figure figure;
@@ -35,6 +36,23 @@ Figure simple_figure(const std::string& id, std::vector<double> y) {
 std::string drawn_markup(const Figure& figure) {
   const ScratchDirectory scratch;
   return draw_figure(figure, scratch.path()).markup;
+}
+
+std::string drawn_file(const Figure& figure) {
+  const ScratchDirectory scratch;
+  return svg_element(figure, draw_figure(figure, scratch.path()), SvgPlace::own_file);
+}
+
+long occurrences(const std::string& text, const std::string& part) {
+  long count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// A program of that name in the directory.
+void write_gnuplot(const ScratchDirectory& scratch, const std::string& script) {
+  std::ofstream(scratch / "gnuplot") << "#!/bin/sh\n" << script;
+  std::filesystem::permissions(scratch / "gnuplot", std::filesystem::perms::owner_all);
 }
 
 // Returns the path data of the first curve, of which the first stroke is the legend's.
@@ -75,15 +93,7 @@ TEST(DrawnFigure, BreaksTheLineAtValuesThatAreNotFinite) {
   EXPECT_EQ(strokes({1, 2, 3, 4, 5, 6}), 1);
   EXPECT_EQ(strokes({1, 2, nan, 4, 5, 6}), 2);
   EXPECT_EQ(strokes({1, 2, nan, nan, 5, 6}), 2);
-  EXPECT_EQ(strokes({nan, 1, 2, 3, 4, std::numeric_limits<double>::infinity()}), 1);
-}
-
-TEST(DrawnFigure, WithNothingToDrawIsAnEmptyFrame) {
-  EXPECT_TRUE(holds(drawn_markup(simple_figure("nothing", {nan, nan})), "<path"));
-  EXPECT_TRUE(holds(drawn_markup(simple_figure("no-samples", {})), "<path"));
-  Figure no_curves = simple_figure("no-curves", {});
-  no_curves.curves.clear();
-  EXPECT_TRUE(holds(drawn_markup(no_curves), "<path"));
+  EXPECT_EQ(strokes({nan, 1, 2, 3, 4, infinity}), 1);
 }
 
 TEST(DrawnFigure, HasIdsOfItsOwnAndRefersOnlyToThem) {
@@ -110,9 +120,7 @@ TEST(DrawnFigure, CarriesOnlyColoursThatTheDarkSchemeRepaints) {
   figure.curves.push_back({"bars", {0, 1}, {1, 2}, {0.1, 0.2}, Curve::Style::points});
   figure.bands = {{"band", 1, 2}};
   figure.markers = {{"marker", 1}};
-  const ScratchDirectory scratch;
-  const std::string svg =
-      svg_element(figure, draw_figure(figure, scratch.path()), SvgPlace::own_file);
+  const std::string svg = drawn_file(figure);
   const std::regex colour(R"re((fill|stroke|color)\s*=\s*["']([^"']*)["'])re");
   for (std::sregex_iterator match(svg.begin(), svg.end(), colour), end; match != end; ++match) {
     const std::string property = (*match)[1], value = (*match)[2];
@@ -132,8 +140,7 @@ TEST(DrawnFigure, ShowsLabelsAsTheyAreAndRunsNothingInThem) {
   figure.y_label = "''s axis' begins with apostrophes";
   figure.markers = {{figure.curves[0].label, 1}};
   figure.bands = {{figure.curves[0].label, 1, 2}};
-  const std::string svg =
-      svg_element(figure, draw_figure(figure, scratch.path()), SvgPlace::own_file);
+  const std::string svg = drawn_file(figure);
   EXPECT_FALSE(std::filesystem::exists(trap));
   EXPECT_TRUE(holds(svg, "@x \"black\" 'black' &lt;b"));
   EXPECT_TRUE(holds(svg, "{a}_b^c"));
@@ -178,33 +185,35 @@ TEST(DrawnFigure, OfEveryKindIsAWellFormedFile) {
     Figure figure = simple_figure("kinds", {1, 2, nan, 3000, -5});
     figure.log_x = figure.log_y = logarithmic;
     figure.x_range = {1, 4};
-    for (const auto style :
-         {Curve::Style::dashed, Curve::Style::points, Curve::Style::line_points}) {
-      figure.curves.push_back({"s", {1, 2, 3}, {1, 2, 3}, {1, nan, 0.1}, style});
-      figure.curves.push_back({"s", {1, 2, 3}, {1, 2, 3}, {}, style});
-      figure.curves.push_back({"s", {1, 2, 3}, {1, 2, 3}, {}, style, {0.1, nan, 4}});
-      figure.curves.push_back({"s", {1, 2, 3}, {1, 2, 3}, {1, nan, 4}, style, {0.1, nan, 4}});
-    }
-    figure.bands = {{"lower", -std::numeric_limits<double>::infinity(), 2},
-                    {"undefined", nan, nan}};
+    const std::vector<double> ends{1, 2, 3}, bars{1, nan, 4}, level{0.1, nan, 4};
+    for (const auto style : {Curve::Style::dashed, Curve::Style::points, Curve::Style::line_points})
+      for (const auto& [up, across] : {std::pair<std::vector<double>, std::vector<double>>{},
+                                       {bars, {}},
+                                       {{}, level},
+                                       {bars, level}})
+        figure.curves.push_back({"s", ends, ends, up, style, across});
+    figure.bands = {{"lower", -infinity, 2}, {"undefined", nan, nan}};
     figure.markers = {{"a", 2}, {"outside", 9}, {"undefined", nan}};
-    const ScratchDirectory scratch;
-    expect_well_formed(
-        svg_element(figure, draw_figure(figure, scratch.path()), SvgPlace::own_file));
+    expect_well_formed(drawn_file(figure));
   }
 }
 
-TEST(DrawnFigure, SurvivesValuesThatAreNearlyEqualHugeOrTiny) {
-  for (const bool logarithmic : {false, true}) {
-    for (const auto& y :
-         {std::vector<double>{1000, 1000 + 1e-9}, std::vector<double>{1, 1.7e308, -1.7e308},
-          std::vector<double>{1e-320, 1e-200, 1e250}, std::vector<double>{0, 1e-320}}) {
+TEST(DrawnFigure, SurvivesValuesThatAreNearlyEqualHugeTinyOrNone) {
+  for (const bool logarithmic : {false, true})
+    for (const auto& y : std::vector<std::vector<double>>{{1000, 1000 + 1e-9},
+                                                          {1, 1.7e308, -1.7e308},
+                                                          {1e-320, 1e-200, 1e250},
+                                                          {0, 1e-320},
+                                                          {nan, nan},
+                                                          {}}) {
       Figure figure = simple_figure("extreme", y);
       figure.log_y = logarithmic;
-      figure.bands = {{"huge", -1.7e308, 1.7e308}};
-      EXPECT_NO_THROW(drawn_markup(figure)) << y[0] << (logarithmic ? " logarithmic" : "");
+      if (y.size() > 0 && y[0] == y[0]) figure.bands = {{"huge", -1.7e308, 1.7e308}};
+      EXPECT_TRUE(holds(drawn_markup(figure), "<path")) << testing::PrintToString(y);
     }
-  }
+  Figure no_curves = simple_figure("no-curves", {});
+  no_curves.curves.clear();
+  EXPECT_TRUE(holds(drawn_markup(no_curves), "<path"));
 }
 
 TEST(DrawnFigure, HasARibbonOnePieceForEachPartBetweenGaps) {
@@ -212,12 +221,7 @@ TEST(DrawnFigure, HasARibbonOnePieceForEachPartBetweenGaps) {
     Figure figure = simple_figure("ribbon", {1, 2, 3, 4, 5, 6});
     figure.curves[0].lower = {0, 1, 2, 3, 4, 5};
     figure.curves[0].upper = upper;
-    const std::string markup = drawn_markup(figure);
-    int count = 0;
-    for (auto at = markup.find("<polygon"); at != std::string::npos;
-         at = markup.find("<polygon", at + 1))
-      count += markup.compare(markup.find("fill = '", at) + 8, 7, "#0069a8") == 0;
-    return count;
+    return occurrences(drawn_markup(figure), "fill = '#0069a8'");
   };
   EXPECT_EQ(pieces({2, 3, 4, 5, 6, 7}), 1);
   EXPECT_EQ(pieces({2, 3, 4, nan, 6, 7}), 2);
@@ -235,18 +239,11 @@ TEST(DrawnFigure, NamesSpansOfOneLabelOnceAndLeavesOutThoseBesideTheAxis) {
   figure.x_range = {0, 4};
   figure.spans = {{"start", -1, 1}, {"start", 3, 9}, {"start", 5, 6}, {"start", 2, 2}};
   const std::string script = gnuplot_script(figure);
-  const auto count = [](const std::string& text, const std::string& part) {
-    int n = 0;
-    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-    return n;
-  };
-  EXPECT_EQ(count(script, "title 'start'"), 1);
-  EXPECT_EQ(count(script, "set object"), 2);
+  EXPECT_EQ(occurrences(script, "title 'start'"), 1);
+  EXPECT_EQ(occurrences(script, "set object"), 2);
   EXPECT_TRUE(holds(script, "from first 0, graph 0 to first 1, graph 1"));
   EXPECT_EQ(canvas_height(figure), without);  // beside the curve in one row of the legend
-  const ScratchDirectory scratch;
-  const std::string svg =
-      svg_element(figure, draw_figure(figure, scratch.path()), SvgPlace::own_file);
+  const std::string svg = drawn_file(figure);
   EXPECT_TRUE(holds(svg, "start from 3 to 9 (shaded)"));
   expect_well_formed(svg);
 }
@@ -300,35 +297,27 @@ TEST(DrawnFigure, OfALongSeriesStaysSmall) {
   EXPECT_LT(drawn_markup(figure).size(), 60'000u);
 }
 
-TEST(MissingGnuplot, IsAnErrorThatSaysWhatToInstall) {
+TEST(FailingGnuplot, IsAnErrorWithItsOwnWordsOrSaysWhatToInstall) {
   const ScratchDirectory scratch;
   const PathVariable path(scratch.path().string());
-  const std::string message = message_of<ReportError>([&] {
-    draw_figure(simple_figure("a", {1, 2}), scratch.path());
-  });
-  EXPECT_TRUE(holds(message, "gnuplot-nox"));
-}
-
-TEST(FailingGnuplot, IsAnErrorWithItsOwnWords) {
-  const ScratchDirectory scratch;
-  const PathVariable path(scratch.path().string());
+  const auto error = [&] {
+    return message_of<ReportError>([&] {
+      draw_figure(simple_figure("a", {1, 2}), scratch.path());
+    });
+  };
+  EXPECT_TRUE(holds(error(), "gnuplot-nox"));
   for (const auto& [script, expected] :
        {std::pair{"echo 'no such terminal' >&2\nexit 3\n", "status 3: no such terminal"},
         {"exit 0\n", "not a complete SVG"},
-        {"echo \"<svg><g id=\\\"gnuplot_canvas\\\"><path d='M 1,2 </svg>\"\n", ""}}) {
-    std::ofstream(scratch / "gnuplot") << "#!/bin/sh\n" << script;
-    std::filesystem::permissions(scratch / "gnuplot", std::filesystem::perms::owner_all);
-    const std::string message = message_of<ReportError>([&] {
-      draw_figure(simple_figure("a", {1, 2}), scratch.path());
-    });
-    EXPECT_TRUE(holds(message, expected));
+        {"echo \"<svg><g id=\\\"gnuplot_canvas\\\"><path d='M 1,2 </svg>\"\n", "figure 'a'"}}) {
+    write_gnuplot(scratch, script);
+    EXPECT_TRUE(holds(error(), expected));
   }
 }
 
 TEST(EndlessGnuplot, IsEndedAtItsTimeLimitWithItsOwnWords) {
   const ScratchDirectory scratch;
-  std::ofstream(scratch / "gnuplot") << "#!/bin/sh\necho drawing >&2\nexec sleep 60\n";
-  std::filesystem::permissions(scratch / "gnuplot", std::filesystem::perms::owner_all);
+  write_gnuplot(scratch, "echo drawing >&2\nexec sleep 60\n");
   const PathVariable path(scratch.path().string() + ":/usr/bin:/bin");
   EXPECT_EQ(message_of<ReportError>([&] { run_gnuplot_within(0.3, "", "a", scratch.path()); }),
             "figure 'a': gnuplot was ended at its time limit of 0.3 s: drawing\n");

@@ -81,28 +81,31 @@ FieldFigure block_of_places(const Shift& shift) {
 
 std::pair<double, double> unmoved(int) { return {0, 0}; }
 
-TEST(ColourRange, HoldsNearlyAllValuesAndNoOutlier) {
+TEST(ColourRange, HoldsNearlyAllValuesNoOutlierAndIsNeverEmpty) {
   std::vector<double> values;
   for (int i = 0; i <= 1000; ++i) values.push_back(i);
   values.push_back(1e9);
   values.push_back(std::numeric_limits<double>::quiet_NaN());
-  const ColourRange range = colour_range(with_values(values));
-  EXPECT_EQ(range.lower, 0);
-  EXPECT_EQ(range.upper, 1000);
-  EXPECT_EQ(range.step, 100);
-  EXPECT_EQ(range.lower_label, "0");
-  EXPECT_EQ(range.upper_label, "≥ 1000");
-}
-
-TEST(ColourRange, KeepsAGivenOneAndNamesItsEnds) {
-  FieldFigure figure = with_values({-1, 0, 7});
-  figure.value_range = {-0.5, 7};
-  const ColourRange range = colour_range(figure);
-  EXPECT_EQ(range.lower, -0.5);
-  EXPECT_EQ(range.upper, 7);
-  EXPECT_EQ(range.step, 1);
-  EXPECT_EQ(range.lower_label, "≤ −0.5");
-  EXPECT_EQ(range.upper_label, "7");
+  FieldFigure given = with_values({-1, 0, 7});
+  given.value_range = {-0.5, 7};
+  const auto expect = [](const FieldFigure& figure, const ColourRange& wanted) {
+    const ColourRange range = colour_range(figure);
+    EXPECT_EQ(range.lower, wanted.lower);
+    EXPECT_EQ(range.upper, wanted.upper);
+    EXPECT_EQ(range.step, wanted.step);
+    EXPECT_EQ(range.lower_label, wanted.lower_label);
+    EXPECT_EQ(range.upper_label, wanted.upper_label);
+  };
+  expect(with_values(values), {0, 1000, 100, "0", "≥ 1000"});
+  expect(given, {-0.5, 7, 1, "≤ −0.5", "7"});
+  for (const double value : {0.0, 5.0, -1e-30, 1e299}) {
+    const ColourRange range = colour_range(with_values({value, value}));
+    EXPECT_LT(range.lower, range.upper) << value;
+    EXPECT_LE(range.lower, value);
+    EXPECT_GE(range.upper, value);
+  }
+  const ColourRange nothing = colour_range(with_values({}));
+  EXPECT_LT(nothing.lower, nothing.upper);
 }
 
 TEST(ColourBar, HasTicksWhoseLabelsStayClearOfThoseOfTheEnds) {
@@ -118,17 +121,6 @@ TEST(ColourBar, HasTicksWhoseLabelsStayClearOfThoseOfTheEnds) {
   // A bar without room for any label between its ends has no tick there.
   const BarTicks none = bar_ticks({0, 1, 1, "0", "1"}, 500);
   EXPECT_GT(none.first, none.last);
-}
-
-TEST(ColourRange, OfAnEvenFieldIsNotEmpty) {
-  for (const double value : {0.0, 5.0, -1e-30, 1e299}) {
-    const ColourRange range = colour_range(with_values({value, value}));
-    EXPECT_LT(range.lower, range.upper) << value;
-    EXPECT_LE(range.lower, value);
-    EXPECT_GE(range.upper, value);
-  }
-  const ColourRange nothing = colour_range(with_values({}));
-  EXPECT_LT(nothing.lower, nothing.upper);
 }
 
 TEST(Layout, KeepsEveryTurnedTankInsideItsCellAndTheCellsApart) {
@@ -264,69 +256,46 @@ TEST(Arrows, HaveTheLengthOfTheirScaleUpToTheCut) {
   EXPECT_NEAR(std::atan2(arrows.panels[0][0].length.y, arrows.panels[0][0].length.x), 0.25, 1e-12);
 }
 
-TEST(Arrows, StayInsideTheirPanelsCell) {
+TEST(Arrows, StayInsideTheirPanelsCellAndAreNoneOfWaterAtRest) {
   FieldFigure figure = one_panel();
   FieldPanel& panel = figure.panels[0];
   panel.arrow_x = {0.01, 0.01};
   panel.arrow_z = {0.2, 0.3};
   panel.arrow_u = {1, -1};
   panel.arrow_w = {0, 0};
-  const FieldArrows arrows = field_arrows(figure, field_layout(figure));
+  FieldArrows arrows = field_arrows(figure, field_layout(figure));
   ASSERT_EQ(arrows.panels[0].size(), 1u);
   EXPECT_GT(arrows.panels[0][0].length.x, 0);
-}
-
-TEST(Arrows, OfWaterAtRestAreNone) {
-  FieldFigure figure = sloshing_field("rest", 1, 0.01);
-  for (FieldPanel& panel : figure.panels) {
-    std::fill(panel.arrow_u.begin(), panel.arrow_u.end(), 0.0);
-    std::fill(panel.arrow_w.begin(), panel.arrow_w.end(), 0.0);
-  }
-  const FieldArrows arrows = field_arrows(figure, field_layout(figure));
+  panel.arrow_u = {0, 0};
+  arrows = field_arrows(figure, field_layout(figure));
   EXPECT_EQ(arrows.pixels_per_speed, 0);
-  for (const auto& panel : arrows.panels) EXPECT_TRUE(panel.empty());
+  EXPECT_TRUE(arrows.panels[0].empty());
 }
 
-// 100 px/m, level, with the tank's origin at (10, 20) px.
-FieldLayout layout() {
-  FieldLayout layout{};
+// Without an outline a rectangle, half the line's width outside. The hypotenuse from (3, 0) to
+// (0, 4) has the normal (0.8, 0.6): 0.75 px away, the line cuts z = -0.75 px at
+// x = 300 + (0.75 + 0.6 * 0.75) / 0.8, and x = -0.75 px likewise.
+TEST(TankLine, FollowsTheSidesOutsideOfThemAndStaysNearASharpCorner) {
+  FieldLayout layout{};  // 100 px/m, level, with the tank's origin at (10, 20) px
   layout.scale = 100;
   layout.axis = {10, 20};
-  return layout;
-}
-
-void expect_line(const FieldPanel& panel, const std::vector<Pixel>& wanted) {
-  const std::vector<Pixel> line = tank_line(panel, layout());
-  ASSERT_EQ(line.size(), wanted.size());
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    EXPECT_NEAR(line[i].x, wanted[i].x, 1e-9) << "corner " << i;
-    EXPECT_NEAR(line[i].y, wanted[i].y, 1e-9) << "corner " << i;
-  }
-}
-
-TEST(TankLine, OfARectangleIsHalfItsWidthOutside) {
-  FieldPanel panel;
-  panel.tank_length = 1;
-  panel.tank_height = 0.5;
-  expect_line(panel, {{9.25, 19.25}, {110.75, 19.25}, {110.75, 70.75}, {9.25, 70.75}});
-}
-
-// The hypotenuse from (3, 0) to (0, 4) has the normal (0.8, 0.6): 0.75 px away, the line cuts
-// z = -0.75 px at x = 300 + (0.75 + 0.6 * 0.75) / 0.8, and x = -0.75 px likewise.
-TEST(TankLine, OfAnOutlineFollowsItsSides) {
-  FieldPanel panel;
-  panel.tank_length = 3;
-  panel.tank_height = 4;
-  panel.outline = {{0, 0}, {3, 0}, {0, 4}};
-  expect_line(panel, {{9.25, 19.25}, {311.5, 19.25}, {9.25, 422.25}});
-}
-
-TEST(TankLine, OfASharpCornerStaysNearIt) {
-  FieldPanel panel;
-  panel.tank_length = 1;
-  panel.tank_height = 0.001;
-  panel.outline = {{0, 0}, {1, 0}, {0, 0.001}};
-  for (const Pixel& corner : tank_line(panel, layout())) {
+  const auto line = [&](double length, double height, bool is_triangle) {
+    FieldPanel panel;
+    panel.tank_length = length;
+    panel.tank_height = height;
+    if (is_triangle) panel.outline = {{0, 0}, {length, 0}, {0, height}};
+    return tank_line(panel, layout);
+  };
+  const auto expect = [](const std::vector<Pixel>& line, const std::vector<Pixel>& wanted) {
+    ASSERT_EQ(line.size(), wanted.size());
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      EXPECT_NEAR(line[i].x, wanted[i].x, 1e-9) << "corner " << i;
+      EXPECT_NEAR(line[i].y, wanted[i].y, 1e-9) << "corner " << i;
+    }
+  };
+  expect(line(1, 0.5, false), {{9.25, 19.25}, {110.75, 19.25}, {110.75, 70.75}, {9.25, 70.75}});
+  expect(line(3, 4, true), {{9.25, 19.25}, {311.5, 19.25}, {9.25, 422.25}});
+  for (const Pixel& corner : line(1, 0.001, true)) {
     EXPECT_GT(corner.x, 4);
     EXPECT_LT(corner.x, 116);
   }

@@ -63,39 +63,28 @@ std::string path_data(const std::string& tag) {
   return tag.substr(start, tag.find('\'', start) - start);
 }
 
-TEST(RelativePlaces, AreWithinATenthOfAPixelAlongALongLine) {
-  const std::string tag = "<path stroke='#0069a8'  d='" + absolute(wave()) + "'/>";
-  const std::string relative = with_relative_places(tag);
-  expect_near(places_of(path_data(relative)), wave());
-  EXPECT_LT(relative.size(), tag.size() * 0.55);
-  EXPECT_TRUE(begins(relative, "<path stroke='#0069a8'  d='M84.5 220l"));
-  EXPECT_TRUE(relative.ends_with("'/>"));
+TEST(RelativePlaces, AreWithinATenthOfAPixelAlongALongLineAndAPolygonThatIsClosed) {
+  const std::string fill = " fill = '#0069a8' fill-opacity = '0.16' ";
+  for (const bool polygon : {false, true}) {
+    const std::string tag = (polygon ? "<polygon" : "<path") + fill +
+                            (polygon ? "points = '" : "d='") + absolute(wave(), !polygon) + "'/>";
+    const std::string relative = with_relative_places(tag);
+    expect_near(places_of(path_data(relative)), wave());
+    EXPECT_LT(relative.size(), tag.size() * 0.55);
+    EXPECT_TRUE(begins(relative, "<path" + fill + "d='M84.5 220l"));
+    EXPECT_TRUE(relative.ends_with(polygon ? "z'/>" : "'/>"));
+  }
 }
 
-TEST(RelativePlaces, MakeAPolygonAClosedPath) {
-  const std::string relative =
-      with_relative_places("<polygon fill = '#0069a8' fill-opacity = '0.16' points = '" +
-                           absolute(wave(), false) + "'/>");
-  expect_near(places_of(path_data(relative)), wave());
-  EXPECT_TRUE(begins(relative, "<path fill = '#0069a8' fill-opacity = '0.16' d='M84.5 220l"))
-      << relative.substr(0, 100);
-  EXPECT_TRUE(relative.ends_with("z'/>"));
-}
-
-TEST(RelativePlaces, KeepTheGapsOfALine) {
-  Places first = wave(), second = wave();
-  const std::string relative =
-      with_relative_places("<path d='" + absolute(first) + absolute(second) + "M1,2 M3,4 '/>");
-  const std::string one = path_data(with_relative_places("<path d='" + absolute(first) + "'/>"));
-  EXPECT_EQ(path_data(relative), one + one + "M1 2M3 4");
-}
-
-TEST(RelativePlaces, ArePrintedWithoutNeedlessDigits) {
+TEST(RelativePlaces, KeepTheGapsOfALineAndArePrintedWithoutNeedlessDigits) {
+  const std::string line = absolute(wave()),
+                    one = path_data(with_relative_places("<path d='" + line + "'/>"));
+  EXPECT_EQ(path_data(with_relative_places("<path d='" + line + line + "M1,2 M3,4 '/>")),
+            one + one + "M1 2M3 4");
   std::string places = "M0.04,-0.06 L0.50,0.50 L-0.5,10 ";
   for (int i = 0; i < 40; ++i) places += "L-0.5,10 ";
   EXPECT_TRUE(begins(path_data(with_relative_places("<path d='" + places + "'/>")),
-                     "M0-.1l.5 .6-1 9.5 0 0 0 0"))
-      << path_data(with_relative_places("<path d='" + places + "'/>"));
+                     "M0-.1l.5 .6-1 9.5 0 0 0 0"));
 }
 
 TEST(RelativePlaces, LeaveWhatTheyCannotOrNeedNotShorten) {

@@ -40,12 +40,6 @@ TEST(ImpactFigures, DrawTheRepeatsOfEachImpactBesideThoseOfTheExperiment) {
   EXPECT_TRUE(figure.markers.empty());
 }
 
-TEST(GlanceFigure, OfACaseWithImpactsShowsTheirPressure) {
-  const CaseAssessment assessment = repeats(impact_case(), 3);
-  EXPECT_TRUE(begins(glance_figure(assessment, "repeat_0").value().caption, "pressure"))
-      << glance_figure(assessment, "repeat_0").value().caption;
-}
-
 // Put together, an impact that is too high and one that is too low would look like the
 // experiment's.
 TEST(ImpactFigures, ShowAnImpactThatIsTooHighInItsOwnFigureAlone) {
@@ -77,17 +71,15 @@ TEST(ImpactFigures, OfASingleImpactMarkTheEdgesOfTheRecordsBand) {
   EXPECT_NEAR(figures[0].markers[1].x, 1.2, 1e-3);
 }
 
-TEST(ImpactFigures, TellHowEnoughRepeatsCompareWithTheExperiments) {
-  EXPECT_FALSE(holds(impact_figures(repeats(impact_case(), 3))[0].caption, "Kolmogorov"));
-  for (const reports::Figure& figure : impact_figures(repeats(impact_case(), 20)))
-    EXPECT_TRUE(holds(figure.caption, " repeat_0: 20 peaks, median "));
-}
-
-TEST(ImpactFigures, AreOfRepeatsAlone) {
+TEST(ImpactFigures, AreOfRepeatsAloneAndTellHowEnoughOfThemCompareWithTheExperiments) {
   EXPECT_TRUE(impact_figures(repeats(impact_case(), 1)).empty());
   CaseAssessment assessment = repeats(impact_case(), 3);
+  EXPECT_FALSE(holds(impact_figures(assessment)[0].caption, "Kolmogorov"));
+  EXPECT_TRUE(begins(glance_figure(assessment, "repeat_0").value().caption, "pressure"));
   assessment.definition.impacts.reset();
   EXPECT_TRUE(impact_figures(assessment).empty());
+  for (const reports::Figure& figure : impact_figures(repeats(impact_case(), 20)))
+    EXPECT_TRUE(holds(figure.caption, " repeat_0: 20 peaks, median "));
 }
 
 }  // namespace

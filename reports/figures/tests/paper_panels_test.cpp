@@ -24,20 +24,9 @@ const Paper &li = paper_named("li2010"), &zhao = paper_named("zhao2021");
 
 // A case of that name with theory and these runs, which nothing judged.
 CaseAssessment paper_case(const std::string& name, const std::vector<ScaledRun>& runs) {
-  CaseAssessment assessment{surge_case(), {}, {}, {}, {}};
-  CaseDefinition& definition = assessment.definition;
-  definition.name = name;
-  definition.gate.clear();
-  definition.runs = {definition.runs.at(0)};
-  const TimeSeries theory = elevation_of({});
-  assessment.runs.results["theory"] = result_of("theory", theory);
-  assessment.runs.status["theory"] = {RunState::finished, ""};
-  for (const ScaledRun& one : runs) {
-    definition.runs.push_back(sample_run(one.solver));
-    definition.runs.back().name = one.name;
-    assessment.runs.results[one.name] = result_of(one.name, scaled(theory, one.scale));
-    assessment.runs.status[one.name] = {RunState::finished, ""};
-  }
+  CaseAssessment assessment = unjudged(runs);
+  assessment.definition.name = name;
+  assessment.definition.gate.clear();
   return assessment;
 }
 
@@ -67,7 +56,7 @@ void add_record(CaseAssessment& assessment, const std::string& name, bool earlie
   assessment.runs.status[name] = {RunState::finished, ""};
 }
 
-TEST(PaperPanels, ShowThePapersSpanAndQuantity) {
+TEST(PaperPanels, ShowThePapersSpanQuantityAndSchemeBesideTheoryAndTheFinestOthers) {
   const CaseAssessment assessment = small_surge();
   const PaperPanels panels = paper_panels(li, {assessment}, {});
   ASSERT_EQ(ids(panels.figures), Names{"li2010-figure-1-li2010_small_amplitude-elevation-right"});
@@ -78,11 +67,6 @@ TEST(PaperPanels, ShowThePapersSpanAndQuantity) {
   EXPECT_EQ(figure.y_label, "elevation [mm]");
   EXPECT_EQ(redrawn(panels, "1").anchors, Names{"figure-" + figure.id});
   EXPECT_EQ(redrawn(panels, "1").missing, Names{});
-}
-
-TEST(PaperPanels, ShowThePapersSchemeAtItsSpacingBesideTheoryAndTheFinestOthers) {
-  const CaseAssessment assessment = small_surge();
-  const reports::Figure figure = paper_panels(li, {assessment}, {}).figures.at(0);
   EXPECT_EQ(labels(figure),
             (Names{"theory", "recommended_5mm", "li2010_20mm", "interfoam_50x100"}));
   EXPECT_EQ(figure.curves.at(2).y.at(300),
@@ -116,14 +100,10 @@ TEST(PaperPanels, ShowACurveThatTheUserDigitised) {
   assessment.runs.status["digitised"] = {RunState::not_supplied, ""};
   EXPECT_EQ(paper_panels(li, {assessment}, {}).figures.at(0).curves.size(),
             figure.curves.size() - 1);
-}
-
-TEST(PaperPanels, OfMoreThanSixCurvesAreTwo) {
-  CaseAssessment assessment = small_surge();
   for (const char* name : {"a", "b", "c"}) add_record(assessment, name);
   const PaperPanels panels = paper_panels(li, {assessment}, {});
-  ASSERT_EQ(panels.figures.size(), 2u);
-  for (const reports::Figure& figure : panels.figures) EXPECT_LE(figure.curves.size(), 6u);
+  ASSERT_EQ(panels.figures.size(), 2u) << "of more than six curves";
+  for (const reports::Figure& one : panels.figures) EXPECT_LE(one.curves.size(), 6u);
   EXPECT_EQ(redrawn(panels, "1").anchors.size(), 2u);
 }
 

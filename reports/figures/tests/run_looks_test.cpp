@@ -17,11 +17,11 @@ namespace {
 SphRun scheme(const std::string& name, double spacing) { return {name, spacing, spacing}; }
 
 TEST(RunLook, IsOneOfTheFamilysHueInEveryCase) {
-  const CaseDefinition one = assess_scaled({{"fine", scheme("recommended", 0.01), 1, {}},
-                                            {"mesh", InterFoamRun{9, 9}, 1, {}}})
-                                 .definition;
-  const CaseDefinition other = assess_scaled({{"paper", scheme("li2010", 0.01), 1, {}},
-                                              {"finer", scheme("recommended", 0.005), 1, {}}})
+  const CaseDefinition one =
+      unjudged({{"fine", scheme("recommended", 0.01), 1, {}}, {"mesh", InterFoamRun{9, 9}, 1, {}}})
+          .definition;
+  const CaseDefinition other = unjudged({{"paper", scheme("li2010", 0.01), 1, {}},
+                                         {"finer", scheme("recommended", 0.005), 1, {}}})
                                    .definition;
   EXPECT_EQ(look_of(one, "fine").colour, look_of(other, "finer").colour);
   EXPECT_NE(look_of(one, "fine").colour, look_of(one, "mesh").colour);
@@ -33,10 +33,10 @@ TEST(RunLook, IsOneOfTheFamilysHueInEveryCase) {
 TEST(RunLook, DiffersWithinAFamilyInMarkerAndDashTheFinestFirstAndRepeatsAsOne) {
   SphRun changed = scheme("recommended", 0.005);
   changed.numbers.courant_number = 0.4;
-  CaseDefinition definition = assess_scaled({{"coarse", scheme("recommended", 0.02), 1, {}},
-                                             {"changed", changed, 1, {}},
-                                             {"fine", scheme("recommended", 0.01), 1, {}},
-                                             {"fine_2", scheme("recommended", 0.01), 1, {}}})
+  CaseDefinition definition = unjudged({{"coarse", scheme("recommended", 0.02), 1, {}},
+                                        {"changed", changed, 1, {}},
+                                        {"fine", scheme("recommended", 0.01), 1, {}},
+                                        {"fine_2", scheme("recommended", 0.01), 1, {}}})
                                   .definition;
   for (RunDefinition& run : definition.runs)
     if (run.name.starts_with("fine")) run.ensemble = "fine";
@@ -53,20 +53,19 @@ TEST(RunLook, TellsMoreCodesThanHuesApartByTheirMarkers) {
   };
   InterFoamRun sharp{9, 9};
   sharp.program = FoamProgram::inter_iso_foam;
-  const CaseDefinition definition =
-      assess_scaled({{"recommended", scheme("recommended", 0.01), 1, {}},
-                     {"delta_sph", scheme("delta_sph", 0.01), 1, {}},
-                     {"li2010", scheme("li2010", 0.01), 1, {}},
-                     {"mesh", InterFoamRun{9, 9}, 1, {}},
-                     {"sharp", sharp, 1, {}},
-                     {"theirs", method("pysph_delta_sph"), 1, {}},
-                     {"edac", method("pysph_edac"), 1, {}},
-                     {"walls", method("pysph_adami"), 1, {}},
-                     {"mdbc", method("dualsphysics_mdbc"), 1, {}},
-                     {"one", method("one"), 1, {}},
-                     {"two", method("two"), 1, {}},
-                     {"three", method("three"), 1, {}}})
-          .definition;
+  const CaseDefinition definition = unjudged({{"recommended", scheme("recommended", 0.01), 1, {}},
+                                              {"delta_sph", scheme("delta_sph", 0.01), 1, {}},
+                                              {"li2010", scheme("li2010", 0.01), 1, {}},
+                                              {"mesh", InterFoamRun{9, 9}, 1, {}},
+                                              {"sharp", sharp, 1, {}},
+                                              {"theirs", method("pysph_delta_sph"), 1, {}},
+                                              {"edac", method("pysph_edac"), 1, {}},
+                                              {"walls", method("pysph_adami"), 1, {}},
+                                              {"mdbc", method("dualsphysics_mdbc"), 1, {}},
+                                              {"one", method("one"), 1, {}},
+                                              {"two", method("two"), 1, {}},
+                                              {"three", method("three"), 1, {}}})
+                                        .definition;
   std::set<std::pair<std::size_t, std::size_t>> looks;
   std::size_t runs = 0;
   for (const RunDefinition& run : definition.runs) {
@@ -76,9 +75,9 @@ TEST(RunLook, TellsMoreCodesThanHuesApartByTheirMarkers) {
     ++runs;
   }
   EXPECT_EQ(looks.size(), runs);
-  const CaseDefinition few = assess_scaled({{"one", method("one"), 1, {}},
-                                            {"fine", scheme("recommended", 0.01), 1, {}},
-                                            {"other", method("other"), 1, {}}})
+  const CaseDefinition few = unjudged({{"one", method("one"), 1, {}},
+                                       {"fine", scheme("recommended", 0.01), 1, {}},
+                                       {"other", method("other"), 1, {}}})
                                  .definition;
   std::set<std::size_t> hues;
   for (const char* run : {"one", "fine", "other"}) hues.insert(look_of(few, run).colour);
@@ -89,7 +88,7 @@ TEST(RunLook, OfAModelIsThatOfItsSchemeAndTellsItsVariantsApart) {
   const std::vector<reports::Look> looks =
       looks_of_models({"interFoam", "recommended", "recommended, antuono"});
   const CaseDefinition definition =
-      assess_scaled({{"fine", scheme("recommended", 0.01), 1, {}}}).definition;
+      unjudged({{"fine", scheme("recommended", 0.01), 1, {}}}).definition;
   EXPECT_EQ(looks.at(1), look_of(definition, "fine"));
   EXPECT_EQ(looks.at(2).colour, looks[1].colour);
   EXPECT_NE(looks[2].shape, looks[1].shape);

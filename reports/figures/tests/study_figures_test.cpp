@@ -16,7 +16,7 @@ struct StudyRun {
   std::optional<double> courant_number = {}, artificial_viscosity = {};
 };
 
-CaseAssessment assess_runs(const std::vector<StudyRun>& runs) {
+CaseAssessment with_runs(const std::vector<StudyRun>& runs) {
   std::vector<ScaledRun> scaled;
   for (const StudyRun& run : runs) {
     SphRun sph{run.scheme, run.spacing, run.spacing};
@@ -24,7 +24,7 @@ CaseAssessment assess_runs(const std::vector<StudyRun>& runs) {
     sph.numbers.artificial_viscosity = run.artificial_viscosity;
     scaled.push_back({run.name, sph, 1 + 0.01 * static_cast<double>(scaled.size()), {}});
   }
-  return assess_scaled(scaled);
+  return unjudged(scaled);
 }
 
 Names studies(const CaseAssessment& assessment) {
@@ -40,21 +40,21 @@ TEST(StudyFigures, ShowTheSpacingsOfAnExternalProgramsMethod) {
   const auto mine = [](double spacing) {
     return ExternalRun{{"my_sph"}, {}, {}, {}, {}, "my_sph", spacing};
   };
-  const CaseAssessment assessment = assess_scaled({{"fine", mine(0.01), 1.01, {}},
-                                                   {"coarse", mine(0.02), 1.04, {}},
-                                                   {"other", ExternalRun{{"other"}}, 1, {}}});
+  const CaseAssessment assessment = unjudged({{"fine", mine(0.01), 1.01, {}},
+                                              {"coarse", mine(0.02), 1.04, {}},
+                                              {"other", ExternalRun{{"other"}}, 1, {}}});
   EXPECT_EQ(studies(assessment), Names{"Particle spacing: my_sph"});
   EXPECT_EQ(labels(figure_of(assessment, "spacing-my_sph")),
             (Names{"20 mm (coarse)", "10 mm (fine)"}));
 }
 
 TEST(StudyFigures, AreOfRunsThatDifferInOneThingAlone) {
-  const CaseAssessment assessment = assess_runs({{"fine", "zhao2021_fixed", 0.002},
-                                                 {"coarse", "zhao2021_fixed", 0.004},
-                                                 {"short_steps", "zhao2021_fixed", 0.002, 0.1},
-                                                 {"long_steps", "zhao2021_fixed", 0.002, 0.4},
-                                                 {"viscous", "zhao2021_fixed", 0.001, {}, 0.1},
-                                                 {"moving", "zhao2021_moving", 0.004}});
+  const CaseAssessment assessment = with_runs({{"fine", "zhao2021_fixed", 0.002},
+                                               {"coarse", "zhao2021_fixed", 0.004},
+                                               {"short_steps", "zhao2021_fixed", 0.002, 0.1},
+                                               {"long_steps", "zhao2021_fixed", 0.002, 0.4},
+                                               {"viscous", "zhao2021_fixed", 0.001, {}, 0.1},
+                                               {"moving", "zhao2021_moving", 0.004}});
   EXPECT_EQ(studies(assessment),
             (Names{"Time step: zhao2021_fixed", "Particle spacing: zhao2021_fixed"}));
   const reports::Figure steps = figure_of(assessment, "time_step-zhao2021_fixed");
@@ -72,10 +72,10 @@ TEST(StudyFigures, AreOfRunsThatDifferInOneThingAlone) {
 }
 
 TEST(StudyFigures, OfOneSchemeAreToldApartByWhatTheirRunsShare) {
-  const CaseAssessment assessment = assess_runs({{"a", "zhao2021_fixed", 0.002},
-                                                 {"b", "zhao2021_fixed", 0.004},
-                                                 {"c", "zhao2021_fixed", 0.002, {}, 0.1},
-                                                 {"d", "zhao2021_fixed", 0.004, {}, 0.1}});
+  const CaseAssessment assessment = with_runs({{"a", "zhao2021_fixed", 0.002},
+                                               {"b", "zhao2021_fixed", 0.004},
+                                               {"c", "zhao2021_fixed", 0.002, {}, 0.1},
+                                               {"d", "zhao2021_fixed", 0.004, {}, 0.1}});
   EXPECT_EQ(studies(assessment),
             (Names{"Particle spacing: zhao2021_fixed",
                    "Particle spacing: zhao2021_fixed, artificial_viscosity = 0.1"}));
@@ -101,13 +101,11 @@ TEST(StudyFigures, ShowTheFilteredPressureWithItsRecord) {
 }
 
 TEST(StudyFigures, NeedTwoRunsThatStand) {
-  const std::vector<StudyRun> runs{{"fine", "li2010", 0.01}, {"coarse", "li2010", 0.02}};
-  const CaseAssessment assessment = assess_runs(runs);
+  CaseAssessment assessment = with_runs({{"fine", "li2010", 0.01}, {"coarse", "li2010", 0.02}});
   EXPECT_EQ(studies(assessment), (Names{"Particle spacing: li2010"}));
-  CaseRuns without = assessment.runs;
-  without.results.erase("coarse");
-  without.status["coarse"] = {RunState::failed, "diverged"};
-  EXPECT_EQ(studies(assess(assessment.definition, without)), Names{});
+  assessment.runs.results.erase("coarse");
+  assessment.runs.status["coarse"] = {RunState::failed, "diverged"};
+  EXPECT_EQ(studies(assessment), Names{});
 }
 
 }  // namespace

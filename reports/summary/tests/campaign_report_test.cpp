@@ -126,15 +126,12 @@ TEST(CampaignReport, TellsOnEachCasesPageItsOwnVerdict) {
   EXPECT_EQ(report.outcome, reports::Outcome::not_compared);
   EXPECT_EQ(report_of(surge_campaign(), {good()}).outcome, reports::Outcome::pass);
   EXPECT_TRUE(holds(report.sections[0].paragraphs[0], "`./slosh campaign surges`"));
-}
-
-TEST(CampaignReport, OfRegressionRowsAloneIsWatchedOnEveryPage) {
   CaseAssessment watched = good();
   for (GateOutcome& outcome : watched.gate) outcome.row.kind = RowKind::regression;
-  const reports::Report report = report_of(surge_campaign(), {watched});
-  EXPECT_EQ(report.outcome, reports::Outcome::watched);
-  EXPECT_EQ(report.pages.at(0).outcome, reports::Outcome::watched);
-  EXPECT_TRUE(begins(report.verdict, "SPH at 10 mm against linear theory: amplitude "));
+  const reports::Report of_regressions = report_of(surge_campaign(), {watched});
+  EXPECT_EQ(of_regressions.outcome, reports::Outcome::watched);
+  EXPECT_EQ(of_regressions.pages.at(0).outcome, reports::Outcome::watched);
+  EXPECT_TRUE(begins(of_regressions.verdict, "SPH at 10 mm against linear theory: amplitude "));
 }
 
 // Names of cases that are made of another's name and what its pages, tables and figures are called.
@@ -205,14 +202,21 @@ TEST(CampaignReport, NamesInItsBannerWhatDecides) {
   }
 }
 
-TEST(CampaignReport, TellsOfRunsThatAreNotSoundOnTheFirstAndTheCasesPage) {
-  CaseRuns fast = surge_runs();
-  fast.results.at("particles").series.push_back({"mach_number", "1", {0, 20}, {0.42, 0.42}});
-  const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), fast)});
+TEST(CampaignReport, TellsOfRunsThatAreNotSoundAndDrawsAReferenceOutOfItsRange) {
+  CaseRuns runs = surge_runs();
+  runs.results.at("particles").series.push_back({"mach_number", "1", {0, 20}, {0.42, 0.42}});
+  runs.results.at("theory").diagnostics["highest_elevation_over_depth"] = 0.2;
+  const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), runs)});
   ASSERT_EQ(report.doubts.size(), 1U);
   EXPECT_TRUE(begins(report.doubts[0], "doubtful: small_surge: particles is not sound"));
   EXPECT_EQ(report.pages.at(0).doubts, report.doubts);
   EXPECT_TRUE(report_of(surge_campaign(), {good()}).doubts.empty());
+  const reports::Section& section = section_of(report, "small_surge");
+  EXPECT_TRUE(holds(section.paragraphs.back(), "never gates"));
+  const auto& curves = section.figures[0].curves;
+  EXPECT_TRUE(std::any_of(curves.begin(), curves.end(), [](const reports::Curve& curve) {
+    return curve.label == "theory (out of its range)";
+  }));
 }
 
 TEST(CampaignReport, TellsTheCoverageOfTheGatesAndShowsEachCaseAtAGlance) {
@@ -228,7 +232,7 @@ TEST(CampaignReport, TellsTheCoverageOfTheGatesAndShowsEachCaseAtAGlance) {
   EXPECT_TRUE(begins(third.remark, "The rows would not detect: amplitude"));
 }
 
-TEST(CampaignReport, ShowsTheOwnWordsOfAProgramThatFailed) {
+TEST(CampaignReport, ShowsTheOwnWordsOfAProgramThatFailedAndStandsWithoutASingleResult) {
   CaseRuns runs = surge_runs_without("fine_mesh", RunState::failed, "exit status 3: a fatal error");
   runs.status.at("fine_mesh").failure = RunFailure{
       "solver failed", "a fatal error", "--> FOAM FATAL ERROR :\n    Unknown word Eular", "log.x"};
@@ -243,6 +247,13 @@ TEST(CampaignReport, ShowsTheOwnWordsOfAProgramThatFailed) {
   const nlohmann::json failure =
       nlohmann::json::parse(report.results_json).at("cases")[0].at("runs")[4].at("failure");
   EXPECT_EQ(failure.at("details"), "--> FOAM FATAL ERROR :\n    Unknown word Eular");
+  CaseRuns none;
+  for (const RunDefinition& run : surge_case().runs)
+    none.status[run.name] = {RunState::failed, "killed by signal 9 (Killed)"};
+  const reports::Report empty = report_of(surge_campaign(), {assess(surge_case(), none)});
+  EXPECT_NO_THROW(reports::check_report(empty));
+  EXPECT_TRUE(section_of(empty, "small_surge").figures.empty());
+  EXPECT_EQ(empty.outcome, reports::Outcome::fail);
 }
 
 TEST(CampaignReport, HasARowWithAnAnchorForEveryGateRowAndLeadsThere) {
@@ -315,28 +326,6 @@ TEST(CampaignReport, TellsOfARecordThatIsNotSuppliedAndWhetherARowNeedsIt) {
   EXPECT_TRUE(holds(told(surge_case(), surge_runs(), "theory"),
                     "`theory` is not supplied: expected SLOSH_EXPERIMENTS/b.csv. Rows that need"));
   EXPECT_TRUE(holds(told(gauged_surge(), gauged_runs(), "measured"), "No gate row needs it."));
-}
-
-TEST(CampaignReport, DrawsAReferenceOutOfItsRangeAndSaysSo) {
-  CaseRuns runs = surge_runs();
-  runs.results.at("theory").diagnostics["highest_elevation_over_depth"] = 0.2;
-  const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), runs)});
-  const reports::Section& section = section_of(report, "small_surge");
-  EXPECT_TRUE(holds(section.paragraphs.back(), "never gates"));
-  const auto& curves = section.figures[0].curves;
-  EXPECT_TRUE(std::any_of(curves.begin(), curves.end(), [](const reports::Curve& curve) {
-    return curve.label == "theory (out of its range)";
-  }));
-}
-
-TEST(CampaignReport, StandsWithoutASingleResult) {
-  CaseRuns runs;
-  for (const RunDefinition& run : surge_case().runs)
-    runs.status[run.name] = {RunState::failed, "killed by signal 9 (Killed)"};
-  const reports::Report report = report_of(surge_campaign(), {assess(surge_case(), runs)});
-  EXPECT_NO_THROW(reports::check_report(report));
-  EXPECT_TRUE(section_of(report, "small_surge").figures.empty());
-  EXPECT_EQ(report.outcome, reports::Outcome::fail);
 }
 
 TEST(CampaignReport, DrawsTheToleratedResidualOfTheQuantityThatTheRowNames) {

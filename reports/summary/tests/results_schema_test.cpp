@@ -71,9 +71,8 @@ json whole_document() {
       "li2010"));
 }
 
-TEST(ResultsSchema, IsKeptToByEveryKindOfOutcome) { EXPECT_EQ(complaints(whole_document()), ""); }
-
-TEST(ResultsSchema, IsKeptToByACampaignOfNothing) {
+TEST(ResultsSchema, IsKeptToByEveryKindOfOutcomeAndByACampaignOfNothing) {
+  EXPECT_EQ(complaints(whole_document()), "");
   EXPECT_EQ(complaints(json::parse(results_json("empty", false, {}))), "");
 }
 
@@ -96,22 +95,22 @@ TEST(ResultsSchema, RefusesADocumentWithoutAnyOneOfItsKeys) {
 
 TEST(ResultsSchema, RefusesAValueOfAnotherTypeAndAKeyThatItDoesNotKnow) {
   const json whole = whole_document();
-  const auto with = [&](const char* place, const json& value) {
+  const std::pair<const char*, json> wrong[] = {{"/schema_version", 2},
+                                                {"/quick", "yes"},
+                                                {"/exit_status", 0.5},
+                                                {"/cases/0/gate/0/verdict", "perhaps"},
+                                                {"/cases/0/gate/0/value", "0.01"},
+                                                {"/cases/0/gate/0/line", 1.5},
+                                                {"/cases/0/gate/0/between", json::array({1})},
+                                                {"/model_bias/0/comparisons/0/predicted", -1},
+                                                {"/cases/0/runs", json::object()},
+                                                {"/cases/0/gate/0/tolerence", 1},
+                                                {"/cases/0/gate/0/value", nullptr}};
+  for (const auto& [place, value] : wrong) {
     json changed = whole;
     changed[json::json_pointer(place)] = value;
-    return complaints(changed);
-  };
-  EXPECT_NE(with("/schema_version", 2), "");
-  EXPECT_NE(with("/quick", "yes"), "");
-  EXPECT_NE(with("/exit_status", 0.5), "");
-  EXPECT_NE(with("/cases/0/gate/0/verdict", "perhaps"), "");
-  EXPECT_NE(with("/cases/0/gate/0/value", "0.01"), "");
-  EXPECT_NE(with("/cases/0/gate/0/line", 1.5), "");
-  EXPECT_NE(with("/cases/0/gate/0/between", json::array({1})), "");
-  EXPECT_NE(with("/model_bias/0/comparisons/0/predicted", -1), "");
-  EXPECT_NE(with("/cases/0/runs", json::object()), "");
-  EXPECT_NE(with("/cases/0/gate/0/tolerence", 1), "");
-  EXPECT_EQ(with("/cases/0/gate/0/value", nullptr), "");
+    EXPECT_EQ(complaints(changed) == "", value.is_null()) << place;
+  }
 }
 
 }  // namespace

@@ -57,6 +57,7 @@ TEST(ErrorOverTolerance, IsTheErrorOverWhatIsAllowedWithTheIntervalOfItsVerdict)
     equal.value.value = p;
     EXPECT_NEAR(error_over_tolerance(equal)->value, share, 1e-9) << p;
   }
+  EXPECT_EQ(value_text(equal.row, {1e-4, 2.84e-4}), "at most 0.0384 %");
 }
 
 TEST(ErrorOverTolerance, IsNotThereWithoutANumberOrWithoutABoundAndOfAnOrderTheLimitOverIt) {
@@ -102,11 +103,6 @@ TEST(VerdictMatrix, ShowsTheWorstRowOfEachMetricByVerdictAndThenByHowFarItsInter
   EXPECT_EQ(worst_first_table({with_gate(wide)}, {}).links.at(0).at(0), "row-small_surge-2");
 }
 
-TEST(ValueText, HasAPValueBelowItsHalfWidthAsABound) {
-  GateRow row = surge_row("forced", Metric::peak_ks_p_value, "1", 0.05);
-  EXPECT_EQ(value_text(row, {1e-4, 2.84e-4}), "at most 0.0384 %");
-}
-
 std::string word(const std::vector<CaseAssessment>& cases, int status = exit_pass) {
   return headline_word(status, headline_lines(cases, {}));
 }
@@ -135,14 +131,23 @@ TEST(Headline, SaysByHowMuchAndAgainstWhatAsTheRowsJudge) {
   EXPECT_EQ(word(cases), "PASS");
 }
 
-TEST(Headline, OfAProblemWithRegressionRowsAloneIsWatched) {
+TEST(Headline, OfRegressionRowsAloneIsWatchedAndNoPass) {
+  GateOutcome known = outcome(Verdict::pass, 0.0123, 0.004);
+  known.row.kind = RowKind::regression;
+  GateOutcome own = outcome(Verdict::pass, 0.001);  // a limit of its own validates nothing
+  own.row.metric = Metric::noise_share;
+  own.row.reference.clear();
+  const std::vector<CaseAssessment> watched{with_gate({known, own})};
+  EXPECT_EQ(headline_lines(watched, {}).at(0).standing, "watched, not validated");
+  EXPECT_EQ(word(watched), "WATCHED, NOT VALIDATED");
+  EXPECT_EQ(headline_lines({with_gate({own})}, {}).at(0).standing, "limits kept");
+  EXPECT_EQ(word({with_gate({own})}), "PASS");
+  EXPECT_EQ(word({watched[0], with_gate({outcome(Verdict::pass, 0.01)})}), "PASS");
+  known.verdict = Verdict::violated;
+  EXPECT_EQ(word({with_gate({known})}, exit_violated), "FAIL");
   ProblemAssessment drop;
   drop.definition.name = "drop";
-  ProblemGateRow row;
-  row.measure = "period";
-  row.metric = ProblemMetric::largest_error;
-  row.unit = "1";
-  row.limit = 0.1;
+  ProblemGateRow row{"period", ProblemMetric::largest_error, "1", 0.1, {}, "", "", {}};
   row.kind = RowKind::regression;
   drop.gate = {{row, Verdict::pass, 0.05, "0.05 <= 0.1"}};
   EXPECT_EQ(headline_lines({}, {drop}).at(0).standing, "watched, not validated");
@@ -159,23 +164,6 @@ TEST(Headline, ComparesTheRunsWhereNoRowJudgesANumber) {
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_EQ(lines[0].amplitude, "2 %");
   EXPECT_TRUE(begins(lines[0].rms, "2"));
-}
-
-TEST(Headline, OfRegressionRowsAloneIsWatchedAndNoPass) {
-  GateOutcome known = outcome(Verdict::pass, 0.0123, 0.004);
-  known.row.kind = RowKind::regression;
-  GateOutcome own = outcome(Verdict::pass, 0.001);  // a limit of its own validates nothing
-  own.row.metric = Metric::noise_share;
-  own.row.reference.clear();
-  const std::vector<CaseAssessment> watched{with_gate({known, own})};
-  EXPECT_EQ(headline_lines(watched, {}).at(0).standing, "watched, not validated");
-  EXPECT_EQ(word(watched), "WATCHED, NOT VALIDATED");
-  EXPECT_EQ(headline_lines({with_gate({own})}, {}).at(0).standing, "limits kept");
-  EXPECT_EQ(word({with_gate({own})}), "PASS");
-  const std::vector<CaseAssessment> both{watched[0], with_gate({outcome(Verdict::pass, 0.01)})};
-  EXPECT_EQ(word(both), "PASS");
-  known.verdict = Verdict::violated;
-  EXPECT_EQ(word({with_gate({known})}, exit_violated), "FAIL");
 }
 
 TEST(Headline, LeadsWithTheRunThatARowObjectsTo) {
@@ -207,6 +195,11 @@ TEST(WorstFirst, IsByVerdictAndThenByHowFarTheIntervalReaches) {
   EXPECT_EQ(links, (std::vector<std::string>{"4", "6", "8", "7", "2", "3", "5", "1"}));
   EXPECT_EQ(table.rows.at(1).at(1), "400 ± 20");
   EXPECT_EQ(table.rows.at(3).at(1), "");
+  std::vector<GateOutcome> gate(4, outcome(Verdict::pass, 0.01));  // which alone are left out
+  gate.insert(gate.end(), 3, outcome(Verdict::violated, 0.1));
+  const reports::Table cut = worst_first_table({with_gate(gate)}, {}, 2);
+  EXPECT_EQ(cut.rows.size(), 3u);
+  EXPECT_TRUE(holds(cut.caption, "3 of the 7 rows"));
 }
 
 TEST(DecisionOf, NamesTheWorstRowOfACodeUnderTestBeforeOneOfOpenFoam) {
@@ -218,14 +211,6 @@ TEST(DecisionOf, NamesTheWorstRowOfACodeUnderTestBeforeOneOfOpenFoam) {
   };
   EXPECT_EQ(decided_by({mesh, outcome(Verdict::violated, 0.06)}), "row-small_surge-2");
   EXPECT_EQ(decided_by({mesh, outcome(Verdict::inconclusive, 0.04, 0.02)}), "row-small_surge-1");
-}
-
-TEST(WorstFirst, LeavesOutOnlyRowsThatPassAndSaysHowManyThereAre) {
-  std::vector<GateOutcome> gate(4, outcome(Verdict::pass, 0.01));
-  gate.insert(gate.end(), 3, outcome(Verdict::violated, 0.1));
-  const reports::Table table = worst_first_table({with_gate(gate)}, {}, 2);
-  EXPECT_EQ(table.rows.size(), 3u);
-  EXPECT_TRUE(holds(table.caption, "3 of the 7 rows"));
 }
 
 TEST(SensitivityTable, HasAColumnPerSpoiling) {

@@ -48,35 +48,30 @@ CaseAssessment with_fields() {
   return assess(definition, runs);
 }
 
-TEST(FieldTable, HasARowForARunAndAColumnForAMoment) {
-  const reports::Table table = field_table(with_fields());
+TEST(FieldTable, HasARowForARunAndAColumnForAMomentAndItsNumbersInTheResultsForPrograms) {
+  const CaseAssessment assessment = with_fields(), without = assess(surge_case(), surge_runs());
+  const reports::Table table = field_table(assessment);
   EXPECT_EQ(table.header, (Row{"run", "against", "rms at 2 s [%]", "rms at 4 s [%]", "mean rms [%]",
                                "tension [%]", "lowest [Pa]", "not covered [%]", "excess [%]"}));
   EXPECT_EQ(table.rows, (std::vector<Row>{{"particles", "fine_mesh", "0.0", "0.0", "0.0",
                                            "0.00 (0.00)", "736 (736)", "20.0", "0.0"},
                                           {"coarse_mesh", "fine_mesh", "0.0", "14.6", "7.3",
                                            "0.00 (0.00)", "49 (49)", "0.0", "0.0"}}));
-  EXPECT_TRUE(field_table(assess(surge_case(), surge_runs())).rows.empty());
-}
-
-TEST(FieldTable, HasItsNumbersInTheResultsForPrograms) {
-  const auto json_of = [](const CaseAssessment& assessment) {
-    return nlohmann::json::parse(results_json("a_campaign", false, {assessment}))["cases"][0];
+  EXPECT_TRUE(field_table(without).rows.empty());
+  const auto json_of = [](const CaseAssessment& one) {
+    return nlohmann::json::parse(results_json("a_campaign", false, {one}))["cases"][0];
   };
-  const auto fields = json_of(with_fields())["fields"];
+  const auto fields = json_of(assessment)["fields"];
   EXPECT_EQ(fields[1]["candidate"], "coarse_mesh");
   EXPECT_EQ(fields[1]["reference"], "fine_mesh");
   EXPECT_EQ(fields[1]["moments"][1]["time_s"], 4);
   EXPECT_NEAR(fields[1]["moments"][1]["pressure_rms_Pa"], 500, 1e-6);
   EXPECT_NEAR(fields[1]["moments"][1]["pressure_rms"], 500 / (9810 * 0.35), 1e-9);
   EXPECT_NEAR(fields[0]["moments"][0]["uncovered_share"], 0.2, 1e-9);
-  EXPECT_FALSE(json_of(assess(surge_case(), surge_runs())).contains("fields"));
-}
-
-TEST(FieldTable, NamesAFieldThatCannotBeCompared) {
-  CaseAssessment assessment = with_fields();
-  assessment.runs.results.at("particles").snapshots.pop_back();
-  const CaseAssessment again = assess(assessment.definition, assessment.runs);
+  EXPECT_FALSE(json_of(without).contains("fields"));
+  CaseRuns cut = assessment.runs;
+  cut.results.at("particles").snapshots.pop_back();
+  const CaseAssessment again = assess(assessment.definition, cut);
   EXPECT_FALSE(fields_compared(again, "particles", "fine_mesh"));
   EXPECT_TRUE(fields_compared(again, "coarse_mesh", "fine_mesh"));
   EXPECT_EQ(again.not_comparable.back(),
@@ -190,13 +185,6 @@ CaseAssessment with_peer() {
   return assessment;
 }
 
-TEST(StepTable, IsLeftOutWhereNoOtherCodeTellsItsCounts) {
-  EXPECT_TRUE(step_table(own_run()).rows.empty());
-  CaseAssessment silent = with_peer();
-  silent.runs.results.at("peer").cost.steps = 0;
-  EXPECT_TRUE(step_table(silent).rows.empty());
-}
-
 // The peer took 16 s over 8 million steps of the liquid's particles, and 10 million of all. Slosh's
 // flags did not build interFoam.
 TEST(StepTable, CountsTheTimeLoopWhereItIsToldAndTheWholeRunElse) {
@@ -211,6 +199,10 @@ TEST(StepTable, CountsTheTimeLoopWhereItIsToldAndTheWholeRunElse) {
   EXPECT_EQ(table.rows[1],
             (Row{"peer", "4000", "1000", "2000", "", "time loop", "2e+03", "1.6e+03", "18.5", ""}));
   EXPECT_EQ(table.rows[2].back(), "");
+  EXPECT_TRUE(step_table(own_run()).rows.empty()) << "no other code";
+  CaseAssessment silent = with_peer();
+  silent.runs.results.at("peer").cost.steps = 0;
+  EXPECT_TRUE(step_table(silent).rows.empty());
 }
 
 }  // namespace

@@ -44,20 +44,15 @@ TEST(CampaignCost, CountsUserAndSystemTimeOfAllRunsAndProblems) {
             "problems, 5 in all, each measured when it was made.");
 }
 
-TEST(CampaignCost, CountsRunsAtTheBoundsOfAnInputAndNoPredictionsOfATheory) {
-  CaseAssessment assessment = with_runs(30, 1);
+TEST(CampaignCost, CountsRunsAtTheBoundsOfAnInputNoPredictionsAndASharedRunOnce) {
+  CaseAssessment assessment = with_runs(30, 1), other = with_runs(5, 0);
+  other.runs.results["coarse"] = assessment.runs.results.at("coarse");
+  EXPECT_DOUBLE_EQ(campaign_cost({assessment, other}, {}).core_seconds, 2 * 31 + 5);
   RunResult theory = taking(50, 0);
   theory.key = "";
   assessment.runs.input_bounds[Input::density] = {taking(7, 1), taking(8, 1)};
   assessment.runs.input_bounds[Input::amplitude] = {theory, theory};
   EXPECT_DOUBLE_EQ(campaign_cost({assessment}, {}).core_seconds, 2 * 31 + 8 + 9);
-}
-
-TEST(CampaignCost, CountsARunThatTwoCasesShareOnce) {
-  const CaseAssessment one = with_runs(30, 1);
-  CaseAssessment other = with_runs(5, 0);
-  other.runs.results["coarse"] = one.runs.results.at("coarse");
-  EXPECT_DOUBLE_EQ(campaign_cost({one, other}, {}).core_seconds, 2 * 31 + 5);
 }
 
 TEST(CampaignCost, DoesNotCountStoredResultsRecordsAndTimings) {
@@ -73,9 +68,6 @@ TEST(CampaignCost, DoesNotCountStoredResultsRecordsAndTimings) {
             "The results of the campaign cost 31.0 core-seconds (0.5 minutes). This is the sum "
             "over its runs and "
             "problems, 1 in all, each measured when it was made.");
-}
-
-TEST(CampaignCost, IsNotToldWhereNothingHasRun) {
   EXPECT_EQ(cost_sentence({CaseAssessment{surge_case(), {}, {}, {}, {}}}, {}), "");
 }
 

@@ -29,7 +29,7 @@ CaseRuns theory_runs(double over_depth = 0.03) {
   return runs;
 }
 
-TEST(CaseTheories, AreJoinedByTheirNamesWithoutTheSimulations) {
+TEST(CaseTheories, AreJoinedByTheirNamesWithTheHalfWidthsOfPotentialFlowFromItsCoarserRun) {
   const CaseTheories theories = case_theories(theory_case(), theory_runs());
   std::vector<std::string> names;
   for (const TimeSeries& series : theories.result.series) names.push_back(series.name);
@@ -38,10 +38,6 @@ TEST(CaseTheories, AreJoinedByTheirNamesWithoutTheSimulations) {
   EXPECT_EQ(theories.result.at("elevation@right/linear").value,
             (std::vector<double>{0, 0.01, 0.02}));
   EXPECT_EQ(theories.result.at("elevation@right/linear").unit, "m");
-}
-
-TEST(CaseTheories, HaveTheHalfWidthsOfPotentialFlowFromItsCoarserRun) {
-  const CaseTheories theories = case_theories(theory_case(), theory_runs());
   const TimeSeries& widths = theories.result.at("elevation@right/potential/half_width");
   EXPECT_EQ(widths.unit, "m");
   EXPECT_NEAR(widths.value[1], 0.003, 1e-12);
@@ -66,7 +62,7 @@ TEST(CaseTheories, TellTheirRangesWithTheNumbersOfTheCase) {
   EXPECT_FALSE(texts.contains("linear_outside_its_range"));
 }
 
-TEST(CaseTheories, TellWhyOneIsOutsideItsRange) {
+TEST(CaseTheories, TellWhyOneIsOutsideItsRangeAsIsAPredictionThatIsNoNumber) {
   CaseRuns runs = theory_runs(0.11);
   runs.results["potential"].diagnostics["valid_until_s"] = 1;
   runs.results["potential"].provenance["left_range_because"] = "its surface is too steep";
@@ -75,13 +71,10 @@ TEST(CaseTheories, TellWhyOneIsOutsideItsRange) {
   EXPECT_EQ(theories.remarks[1].range.find("valid to 1 s: its surface is too steep;"), 0u);
   EXPECT_TRUE(theories.remarks[1].outside);
   EXPECT_EQ(theories.result.provenance.at("linear_outside_its_range"), theories.remarks[0].outside);
-}
-
-// A missing elevation is no elevation inside the range.
-TEST(CaseTheories, AreOutsideTheirRangeWhereThePredictionIsNotANumber) {
-  const CaseTheories theories =
-      case_theories(theory_case(), theory_runs(std::numeric_limits<double>::quiet_NaN()));
-  EXPECT_TRUE(theories.remarks[0].outside);
+  // A missing elevation is no elevation inside the range.
+  EXPECT_TRUE(case_theories(theory_case(), theory_runs(std::numeric_limits<double>::quiet_NaN()))
+                  .remarks[0]
+                  .outside);
 }
 
 // Where linear theory judges a copy of itself, which it would pass with nothing to tell.

@@ -28,19 +28,13 @@ std::vector<ValueAtStep> power_law(double order, double noise) {
   return values;
 }
 
-TEST(Convergence, IsSureOfTheOrderOfExactValues) {
+TEST(Convergence, TellsHowFarTheOrderMovesWithItsValuesAndLeavesItOpenWhereThereMayBeNone) {
   EXPECT_NEAR(order_half_width(power_law(1.5, 0)).value(), 0, 1e-9);
-}
-
-TEST(Convergence, TellsHowFarTheOrderMovesWithItsValues) {
   // p = log2((f3 - f2) / (f2 - f1)): with f = 2, 3, 5 and noise n the derivatives by f1, f2, f3 are
   // 1, -3/2 and 1/2 over ln 2.
   const double noise = 1e-4;
   EXPECT_NEAR(order_half_width(power_law(1, noise)).value(),
               noise * std::sqrt(1 + 2.25 + 0.25) / std::log(2), 1e-2 * noise);
-}
-
-TEST(Convergence, LeavesTheIntervalOpenWhereNoiseMayLeaveNoOrder) {
   EXPECT_TRUE(order_half_width(power_law(1, 0.3)).has_value());
   EXPECT_FALSE(order_half_width(power_law(1, 0.9)).has_value());
   EXPECT_FALSE(order_half_width({{1, 3, 0}, {2, 2, 0}, {4, 0, 0}}).has_value() &&
@@ -138,15 +132,9 @@ TEST_F(SpacingStudies, AskTheSameOfTheReferenceAndOfARunAtItsOwnSpacingInEverySh
   EXPECT_GT(studied, 30);
 }
 
-TEST_F(SpacingStudies, NameTheirRunsBySpacing) {
-  const SpacingStudy of_family{
-      .candidate = "", .family = "li2010", .spacings = {}, .reference = ""};
-  EXPECT_EQ(study_run_name(of_family, 0.0125), "li2010_12p5mm");
-  const SpacingStudy of_run{.candidate = "fine", .family = "", .spacings = {}, .reference = ""};
-  EXPECT_EQ(study_run_name(of_run, 0.02), "fine_at_20mm");
-}
-
-TEST_F(SpacingStudies, DropTheImpactsAndWhatOnlyEnsemblesHave) {
+TEST_F(SpacingStudies, NameTheirRunsBySpacingAndDropTheImpactsAndWhatOnlyEnsemblesHave) {
+  EXPECT_EQ(study_run_name({"", "li2010", {}, ""}, 0.0125), "li2010_12p5mm");
+  EXPECT_EQ(study_run_name({"fine", "", {}, ""}, 0.02), "fine_at_20mm");
   const CaseDefinition oil = read_case(SLOSH_SOURCE_DIR "/verification/cases/spheric10_oil.toml");
   ASSERT_FALSE(oil.inputs.empty()) << "its ensemble draws them";
   const CaseDefinition study = made(oil, {.candidate = "inputs_drawn_4mm",

@@ -38,9 +38,18 @@ double number_after(const std::string& words, const ModelLimit& limit) {
   return std::stod(limit.effect.substr(limit.effect.find(words) + words.size()));
 }
 
-TEST(MotionNoise, IsSmallForASmoothMotionAtAnyRate) {
+TEST(MotionNoise, IsSmallForASmoothMotionAtAnyRateAStopOfTheTankAndATankAtRest) {
   for (const double rate : {12.0, 25.0, 100.0, 500.0})
     EXPECT_LT(limit_of(sine_table(rate, 0)).value, 0.05) << rate;
+  TableMotion stop{"stop.csv", {}, {}}, rest = stop;
+  for (int i = 0; i <= 200; ++i) {
+    stop.time.push_back(0.05 * i);
+    stop.value.push_back(std::min(0.05 * i, 4.0));
+    rest.time.push_back(0.05 * i);
+    rest.value.push_back(0);
+  }
+  EXPECT_FALSE(limit_of(stop).exceeded());
+  EXPECT_EQ(limit_of(rest).value, 0);
 }
 
 // Against the acceleration of noise of a known size, by the formula of a cubic spline.
@@ -69,46 +78,21 @@ TEST(MotionNoise, DoubtsATableOfFewDigitsAndSaysWhatWouldDo) {
       thinned(sine_table(500, 1e-3), 1.05 * number_after("apart; points ", *limit));
   EXPECT_LT(limit_of(sparse).value, 0.12);
   EXPECT_FALSE(limit_of(sine_table(500, 1e-8)).exceeded());
-}
-
-TEST(MotionNoise, SaysWhereNoSmoothingWouldDo) {
   EXPECT_NE(limit_of(sine_table(100, 0.5)).effect.find("no smoothing of it"), std::string::npos);
-}
-
-TEST(MotionNoise, IsNotAStopOfTheTankNorATankAtRest) {
-  TableMotion stop{"stop.csv", {}, {}}, rest = stop;
-  for (int i = 0; i <= 200; ++i) {
-    stop.time.push_back(0.05 * i);
-    stop.value.push_back(std::min(0.05 * i, 4.0));
-    rest.time.push_back(0.05 * i);
-    rest.value.push_back(0);
-  }
-  EXPECT_FALSE(limit_of(stop).exceeded());
-  EXPECT_EQ(limit_of(rest).value, 0);
-}
-
-TEST(MotionNoise, OfNothingButNoiseIsWrittenAsAHundredPerCent) {
   EXPECT_EQ(limit_text({"noise", 1, 0.5, "of it", "source"}),
             "noise: 100 % of it, limit 50 % (source)");
   EXPECT_EQ(limit_text({"noise", 0.996, 0.079, "of it", "source"}),
             "noise: 100 % of it, limit 7.9 % (source)");
 }
 
-TEST(MotionNoise, DoubtsNaN) {
-  TableMotion table = sine_table(100, 0);
-  table.value[200] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(limit_of(table).exceeded());
-}
-
-TEST(MotionNoise, IsOfPositionsAlone) {
-  TableMotion braking = sine_table(100, 1e-2);
+TEST(MotionNoise, DoubtsNaNAndPositionsAloneOfMoreThanAFewPoints) {
+  TableMotion poisoned = sine_table(100, 0), braking = sine_table(100, 1e-2);
+  poisoned.value[200] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(limit_of(poisoned).exceeded());
   EXPECT_TRUE(limit_of(braking).exceeded());
   braking.of_accelerations = true;
   EXPECT_TRUE(limits_of(braking).empty());
-}
-
-TEST(MotionNoise, IsNotKnownOfSinesAndOfFewPoints) {
-  EXPECT_TRUE(motion_noise(case_with_runs({})).empty());
+  EXPECT_TRUE(motion_noise(case_with_runs({})).empty()) << "of sines";
   EXPECT_TRUE(limits_of({"few.csv", {0, 1, 2, 3}, {0, 1, 0, 1}}).empty());
 }
 

@@ -42,18 +42,13 @@ TEST(PressureNoise, OfWhiteNoiseIsItsMeanSquareAboveTheBand) {
   EXPECT_NEAR(pressure_noise(pressure, window, 5) / (share * 2500 / (1e6 + 2500)), 1, 0.1);
 }
 
-TEST(PressureNoise, OfAWaveAloneIsNearlyNone) {
-  EXPECT_LT(
-      pressure_noise(series_of([](double t) { return 3000 + 300 * tone(0.8, t); }), window, 5),
-      1e-8);
-}
-
-TEST(PressureNoise, IsOfNoPressureThatCannotShowIt) {
-  TimeSeries poisoned = series_of([](double t) { return tone(1, t); });
-  EXPECT_THROW(pressure_noise(poisoned, window, 50), ComparisonError);
-  EXPECT_NO_THROW(pressure_noise(poisoned, window, 49));
-  poisoned.value[1000] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(pressure_noise(poisoned, window, 5), ComparisonError);
+TEST(PressureNoise, OfAWaveAloneIsNearlyNoneAndOfNoPressureThatCannotShowIt) {
+  TimeSeries wave = series_of([](double t) { return 3000 + 300 * tone(0.8, t); });
+  EXPECT_LT(pressure_noise(wave, window, 5), 1e-8);
+  EXPECT_THROW(pressure_noise(wave, window, 50), ComparisonError);
+  EXPECT_NO_THROW(pressure_noise(wave, window, 49));
+  wave.value[1000] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(pressure_noise(wave, window, 5), ComparisonError);
 }
 
 // A plateau that falls by a line, and a tone of 10 Pa upon it; the impacts' peaks do not count.
@@ -72,13 +67,9 @@ TEST(PlateauNoise, LeavesOutPlateausBeyondTheRun) {
     pressure.value[i] += 10 * tone(50, pressure.time[i]);
   EXPECT_NEAR(plateau_noise(pressure, definition), 10 / std::numbers::sqrt2 / 670, 1e-4);
   EXPECT_THROW(plateau_noise(pressure, impact_case()), ComparisonError);
-}
-
-TEST(PlateauNoise, IsOfNoPressureWithANumberThatIsNoneNorOfACaseWithoutImpacts) {
-  TimeSeries poisoned = pressure_of({});
-  poisoned.value[2500] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(plateau_noise(poisoned, impact_case()), ComparisonError);
-  EXPECT_THROW(plateau_noise(pressure_of({}), sample_case()), ComparisonError);
+  EXPECT_THROW(plateau_noise(pressure_of({}), sample_case()), ComparisonError) << "no impacts";
+  pressure.value[2500] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(plateau_noise(pressure, definition), ComparisonError);
 }
 
 // The sample's third mode that surge excites: k = 5 pi, omega^2 = g k tanh(k h).

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "reports/figures/case_figures.hpp"
 #include "reports/summary/report_sections.hpp"
@@ -32,25 +33,29 @@ RunCost cost(double core_seconds, double memory = 16 * mebibyte) {
 
 // Three runs of one family, errors 20, 10 and 5 %, times 1, 8 and 64 s; and one that changes
 // something.
-CaseAssessment three_resolutions() {
+const CaseAssessment& three_resolutions() {
   SphRun coarse{"recommended", 0.02, 0.02}, medium{"recommended", 0.01, 0.01},
       fine{"recommended", 0.005, 0.005}, changed = medium;
   changed.variant = "antuono";
-  return assess_scaled({{"fine", fine, 1.05, cost(64, 64 * mebibyte)},
-                        {"coarse", coarse, 1.2, cost(1)},
-                        {"medium", medium, 1.1, cost(8, 32 * mebibyte)},
-                        {"changed", changed, 1.3, cost(30)}});
+  static const CaseAssessment assessment =
+      assess_scaled({{"fine", fine, 1.05, cost(64, 64 * mebibyte)},
+                     {"coarse", coarse, 1.2, cost(1)},
+                     {"medium", medium, 1.1, cost(8, 32 * mebibyte)},
+                     {"changed", changed, 1.3, cost(30)}});
+  return assessment;
 }
 
 // The same of an external program's method, and a run of a program that names none.
-CaseAssessment three_resolutions_of_a_program() {
+const CaseAssessment& three_resolutions_of_a_program() {
   const auto mine = [](double spacing) {
     return ExternalRun{{"my_sph"}, {}, {}, {}, {}, "my_sph", spacing};
   };
-  return assess_scaled({{"fine", mine(0.005), 1.05, cost(64)},
-                        {"coarse", mine(0.02), 1.2, cost(1)},
-                        {"medium", mine(0.01), 1.1, cost(8)},
-                        {"other", ExternalRun{{"other"}}, 1.3, cost(30)}});
+  static const CaseAssessment assessment =
+      assess_scaled({{"fine", mine(0.005), 1.05, cost(64)},
+                     {"coarse", mine(0.02), 1.2, cost(1)},
+                     {"medium", mine(0.01), 1.1, cost(8)},
+                     {"other", ExternalRun{{"other"}}, 1.3, cost(30)}});
+  return assessment;
 }
 
 using Timings = std::map<std::string, std::vector<RunCost>>;
@@ -84,21 +89,17 @@ GateOutcome judge(const GateRow& row, const Timings& timings) {
   return judged({row}, timings).gate.at(0);
 }
 
+// The three schemes' runs alone, beside which a mesh may stand.
+const std::vector<ScaledRun> three_particles{
+    {"coarse", SphRun{"recommended", 0.02, 0.02}, 1.2, cost(1)},
+    {"medium", SphRun{"recommended", 0.01, 0.01}, 1.1, cost(8)},
+    {"fine", SphRun{"recommended", 0.005, 0.005}, 1.05, cost(64)}};
+
 const reports::Table& table_named(const std::vector<reports::Table>& tables,
                                   const std::string& id) {
   for (const reports::Table& table : tables)
     if (table.id == "small_surge-" + id) return table;
   throw std::logic_error("no table " + id);
-}
-
-TEST(WorkFamilies, HoldTheRunsOfAnExternalProgramsMethod) {
-  const std::vector<WorkFamily> families = work_families(three_resolutions_of_a_program());
-  ASSERT_EQ(families.size(), 2u);
-  EXPECT_EQ(families[0].name, "my_sph");
-  ASSERT_EQ(families[0].runs.size(), 3u);
-  EXPECT_EQ(families[0].runs[0].run, "coarse");
-  EXPECT_EQ(families[0].runs[2].run, "fine");
-  EXPECT_EQ(families[1].name, "other");
 }
 
 // The runs of three_resolutions_of_a_program() take as much processor time as wall time.
@@ -162,18 +163,7 @@ TEST(CostToReach, IsJudgedOfAnExternalProgramsMethodAsOfAScheme) {
   EXPECT_DOUBLE_EQ(of_program.value.value, judge(row, five_timings()).value.value);
 }
 
-TEST(MeasuredCost, IsTheMeanOfTimingsWithStudentsInterval) {
-  CaseRuns runs;
-  runs.results["run"].cost = cost(100);
-  runs.timings["run"] = {cost(9), cost(10), cost(11)};
-  const MeasuredCost found = cost_of(runs, "run");
-  EXPECT_NEAR(found.core_seconds.value, 10, 1e-12);
-  EXPECT_NEAR(found.core_seconds.half_width, 4.3027 / std::sqrt(3), 1e-4);  // tables, 2 degrees
-  EXPECT_EQ(found.memory.half_width, 0);
-  EXPECT_EQ(found.timings, 3U);
-}
-
-TEST(MeasuredCost, WithoutTimingsIsTheCampaignsOwnAndOfOneHasNoInterval) {
+TEST(MeasuredCost, IsTheMeanOfTimingsWithStudentsIntervalAndElseTheCampaignsOwn) {
   CaseRuns runs;
   runs.results["run"].cost = cost(100);
   EXPECT_EQ(cost_of(runs, "run").core_seconds.value, 100);
@@ -183,17 +173,27 @@ TEST(MeasuredCost, WithoutTimingsIsTheCampaignsOwnAndOfOneHasNoInterval) {
   EXPECT_EQ(cost_of(runs, "run").core_seconds.value, 9);
   EXPECT_FALSE(cost_of(runs, "run").has_interval());
   EXPECT_TRUE(std::isnan(cost_of(runs, "run").core_seconds.half_width));
+  runs.timings["run"] = {cost(9), cost(10), cost(11)};
+  const MeasuredCost found = cost_of(runs, "run");
+  EXPECT_NEAR(found.core_seconds.value, 10, 1e-12);
+  EXPECT_NEAR(found.core_seconds.half_width, 4.3027 / std::sqrt(3), 1e-4);  // tables, 2 degrees
+  EXPECT_EQ(found.memory.half_width, 0);
+  EXPECT_EQ(found.timings, 3U);
 }
 
 TEST(WorkFamilies, AreOfRunsThatDifferInResolutionAloneCoarseToFine) {
-  const auto families = work_families(three_resolutions());
-  ASSERT_EQ(families.size(), 2U);
-  EXPECT_EQ(families[0].name, "recommended");
-  EXPECT_EQ(families[0].reference, "theory");
-  ASSERT_EQ(families[0].runs.size(), 3U);
-  EXPECT_EQ(families[0].runs.front().run, "coarse");
-  EXPECT_EQ(families[0].runs.back().run, "fine");
-  EXPECT_EQ(families[1].name, "recommended, antuono");
+  for (const auto& [assessment, name, other] :
+       {std::tuple{&three_resolutions(), "recommended", "recommended, antuono"},
+        {&three_resolutions_of_a_program(), "my_sph", "other"}}) {
+    const auto families = work_families(*assessment);
+    ASSERT_EQ(families.size(), 2U);
+    EXPECT_EQ(families[0].name, name);
+    EXPECT_EQ(families[0].reference, "theory");
+    ASSERT_EQ(families[0].runs.size(), 3U);
+    EXPECT_EQ(families[0].runs.front().run, "coarse");
+    EXPECT_EQ(families[0].runs.back().run, "fine");
+    EXPECT_EQ(families[1].name, other);
+  }
 }
 
 TEST(WorkFamilies, ShowReferencesByWhatSetsThemApart) {
@@ -228,14 +228,13 @@ TEST(CostRow, PassesWhereTheErrorIsReachedCheaplyAndFailsWhereAllCostMore) {
   EXPECT_EQ(judge(cost_row(0.0707, 30), five_timings(1.5)).verdict, Verdict::violated);
 }
 
-TEST(CostRow, FailsWhereNoRunOfTheFamilyReachesTheError) {
-  const GateOutcome outcome = judge(cost_row(0.02, 1000), five_timings());
-  EXPECT_EQ(outcome.verdict, Verdict::violated);
-  EXPECT_EQ(outcome.message.find("not reached (5"), 0U) << outcome.message;
-}
-
-TEST(CostRow, IsNotExtrapolated) {
-  EXPECT_EQ(judge(cost_row(0.04, 1e6), five_timings()).verdict, Verdict::violated);
+// Rows on the same runs, judged together.
+TEST(CostRow, FailsWhereNoRunOfTheFamilyReachesTheErrorWhichIsNotExtrapolated) {
+  const auto gate = judged({cost_row(0.02, 1000), cost_row(0.04, 1e6)}, five_timings()).gate;
+  for (const GateOutcome& outcome : gate) {
+    EXPECT_EQ(outcome.verdict, Verdict::violated);
+    EXPECT_EQ(outcome.message.find("not reached (5"), 0U) << outcome.message;
+  }
 }
 
 TEST(CostRow, IsNotComparedWhereARunThatItRestsOnWasNotTimedTwiceAlone) {
@@ -245,39 +244,24 @@ TEST(CostRow, IsNotComparedWhereARunThatItRestsOnWasNotTimedTwiceAlone) {
       outcome.message.find("medium and fine were not timed twice or more on a core of their own"),
       std::string::npos)
       << outcome.message;
-  Timings once = five_timings();
+  Timings once = five_timings(), without_coarse = once, poisoned = once;
   once["fine"].resize(1);
   EXPECT_EQ(judge(cost_row(0.0707, 30), once).verdict, Verdict::not_compared);
-  Timings without_coarse = five_timings();
   without_coarse.erase("coarse");  // the row rests on the two others
   EXPECT_EQ(judge(cost_row(0.0707, 30), without_coarse).verdict, Verdict::pass);
+  for (auto& [run, costs] : poisoned) costs.front().user_time = nan;
+  EXPECT_EQ(judge(cost_row(0.0707, 30), poisoned).verdict, Verdict::violated);
 }
 
-TEST(CostRow, FailsOnTimingsThatAreNoNumbers) {
-  Timings timings = five_timings();
-  for (auto& [run, costs] : timings) costs.front().user_time = nan;
-  EXPECT_EQ(judge(cost_row(0.0707, 30), timings).verdict, Verdict::violated);
-}
-
-TEST(CostRow, IsNotComparedWhereItsCandidateIsNoNumber) {
-  const CaseAssessment one = three_resolutions();
-  CaseDefinition definition = one.definition;
-  definition.gate = {cost_row(0.0707, 30)};
-  CaseRuns runs = one.runs;
-  runs.timings = five_timings();
-  runs.results.at("medium").series.at(0).value.at(250) = nan;
-  EXPECT_EQ(assess(definition, runs).gate.at(0).verdict, Verdict::not_compared);
-}
-
-TEST(CostRow, IsLeftOutWhereTheRunsThatReachItAre) {
-  const CaseAssessment one = three_resolutions();
-  CaseDefinition definition = one.definition;
-  definition.gate = {cost_row(0.0707, 30), cost_row(0.15, 30)};
-  CaseRuns runs = one.runs;
-  runs.timings = five_timings();
-  runs.results.erase("fine");
-  runs.status["fine"] = {RunState::not_selected, ""};
-  const auto gate = assess(definition, runs).gate;
+TEST(CostRow, IsNotComparedWhereItsCandidateIsNoNumberAndLeftOutWithTheRunsThatReachIt) {
+  CaseAssessment poisoned = three_resolutions(), left_out = poisoned;
+  poisoned.runs.results.at("medium").series.at(0).value.at(250) = nan;
+  EXPECT_EQ(judged({cost_row(0.0707, 30)}, five_timings(), poisoned).gate.at(0).verdict,
+            Verdict::not_compared);
+  left_out.runs.results.erase("fine");
+  left_out.runs.status["fine"] = {RunState::not_selected, ""};
+  const auto gate =
+      judged({cost_row(0.0707, 30), cost_row(0.15, 30)}, five_timings(), left_out).gate;
   EXPECT_EQ(gate.at(0).verdict, Verdict::not_selected);
   EXPECT_NE(gate.at(0).message.find("fine"), std::string::npos);
   EXPECT_EQ(gate.at(1).verdict, Verdict::pass) << gate.at(1).message;
@@ -315,7 +299,7 @@ TEST(CostFigures, HaveBarsWhereRunsWereTimedAndSayWhereTheyWereNot) {
   EXPECT_TRUE(figure_of(judged({}, {}), "cost").curves.at(1).x_error.empty());
 }
 
-TEST(CostFigures, DrawTheFrontOfAllCandidatesInSteps) {
+TEST(CostFigures, DrawTheFrontOfAllCandidatesInStepsAndShowMemoryInMebibytes) {
   const reports::Curve front = figure_of(three_resolutions(), "cost").curves.front();
   EXPECT_EQ(front.label, "Pareto front");
   EXPECT_EQ(front.x, (std::vector<double>{1, 1, 8, 8, 64, 64, 64}));
@@ -323,11 +307,8 @@ TEST(CostFigures, DrawTheFrontOfAllCandidatesInSteps) {
   EXPECT_NEAR(front.y[0], 0.3, 2e-3);  // of the run that is not on it
   EXPECT_EQ(front.y[1], front.y[2]);
   EXPECT_EQ(front.y[5], front.y[6]);
-}
-
-TEST(CostFigures, ShowMemoryInMebibytes) {
-  const reports::Figure figure = figure_of(three_resolutions(), "memory");
-  EXPECT_EQ(figure.curves.at(1).x, (std::vector<double>{16, 32, 64}));
+  EXPECT_EQ(figure_of(three_resolutions(), "memory").curves.at(1).x,
+            (std::vector<double>{16, 32, 64}));
 }
 
 TEST(CostTable, TellsWhatEachErrorCostsAndWhereItIsNotReached) {
@@ -357,11 +338,7 @@ CaseAssessment beside_meshes(std::vector<ScaledRun> runs) {
 }
 
 TEST(SpeedAtEqualError, IsAtTheSmallestErrorThatBothCurvesReach) {
-  const std::vector<ScaledRun> particles{
-      {"coarse", SphRun{"recommended", 0.02, 0.02}, 1.2, cost(1)},
-      {"medium", SphRun{"recommended", 0.01, 0.01}, 1.1, cost(8)},
-      {"fine", SphRun{"recommended", 0.005, 0.005}, 1.05, cost(64)}};
-  const auto speeds = equal_error_speeds(beside_meshes(particles));
+  const auto speeds = equal_error_speeds(beside_meshes(three_particles));
   ASSERT_EQ(speeds.size(), 1u);
   EXPECT_NEAR(speeds[0].error, 0.08, 1e-5);
   const double own = 8 * std::pow(8, std::log(0.1 / 0.08) / std::log(2));  // on the chord
@@ -370,7 +347,7 @@ TEST(SpeedAtEqualError, IsAtTheSmallestErrorThatBothCurvesReach) {
   EXPECT_EQ(speed_text(speeds[0]),
             "SPH: 5.1 times the speed of interFoam at equal error (8 %), 5.1 to 5.1 beside the "
             "scatter of costs that were measured once");
-  const auto figure = speed_figure(beside_meshes(particles));
+  const auto figure = speed_figure(beside_meshes(three_particles));
   ASSERT_TRUE(figure);
   EXPECT_EQ(figure->caption.find("SPH: 5.1 times"), 0u);
 }
@@ -385,10 +362,7 @@ TEST(SpeedAtEqualError, IsNotToldWhereACurveDoesNotReachTheError) {
 }
 
 TEST(SpeedAtEqualError, TellsTheSpreadOfTheCostsThatWereRepeated) {
-  CaseAssessment one =
-      beside_meshes({{"coarse", SphRun{"recommended", 0.02, 0.02}, 1.2, cost(1)},
-                     {"medium", SphRun{"recommended", 0.01, 0.01}, 1.1, cost(8)},
-                     {"fine", SphRun{"recommended", 0.005, 0.005}, 1.05, cost(64)}});
+  const CaseAssessment one = beside_meshes(three_particles);
   CaseRuns runs = one.runs;
   runs.timings = five_timings();
   for (const double share : {0.9, 1.0, 1.1}) runs.timings["fine_mesh"].push_back(cost(80 * share));
@@ -402,11 +376,7 @@ TEST(SpeedAtEqualError, TellsTheSpreadOfTheCostsThatWereRepeated) {
 // All runs err more at the begin, so that the errors of another window are others, but not how they
 // compare.
 TEST(SpeedAtEqualError, IsNotMadeUncertainByAStretchWhereAllRunsErrMore) {
-  const std::vector<ScaledRun> particles{
-      {"coarse", SphRun{"recommended", 0.02, 0.02}, 1.2, cost(1)},
-      {"medium", SphRun{"recommended", 0.01, 0.01}, 1.1, cost(8)},
-      {"fine", SphRun{"recommended", 0.005, 0.005}, 1.05, cost(64)}};
-  const CaseAssessment even = beside_meshes(particles);
+  const CaseAssessment even = beside_meshes(three_particles);
   CaseRuns runs = even.runs;
   const std::vector<double> theory = runs.results.at("theory").series.at(0).value;
   const auto spoil = [&](const std::string& run, double later) {

@@ -5,7 +5,7 @@
 //
 // Measured against known truth (20 values against 102, of normal, lognormal and gamma distributions
 // with a deviation of 30 %, equal or scaled by 1.25; 1000 pairs of each, and 4000 of the lognormal,
-// part of which tests/bootstrap_interval_test.cpp repeats): the interval holds the true ratio of
+// part of which tests/distributions_test.cpp repeats): the interval holds the true ratio of
 // the medians in 95 to 96 %, the basic bootstrap in 87 and the symmetric one in 95 %. The gate
 // takes the wider side to both sides (wider_side()), which holds it in 97 %.
 #pragma once

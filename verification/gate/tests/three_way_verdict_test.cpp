@@ -5,9 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "verification/metrics/comparison.hpp"
-#include "verification/tests/synthetic_series.hpp"
-
 namespace slosh::three_way_verdict_test {
 namespace {
 
@@ -19,60 +16,47 @@ ThreeWayVerdict verdict(double error, double uncertainty, AllowedRange allowed =
   return judge_error(error, {.discretisation = uncertainty}, allowed).verdict;
 }
 
-TEST(ValidationUncertainty, AddsItsContributionsInQuadrature) {
+TEST(ValidationUncertainty, AddsItsContributionsInQuadratureAndNamesTheDominantOne) {
   EXPECT_DOUBLE_EQ(validation_uncertainty({0.02, 0.04, 0.05, 0.06}), 0.09);
   EXPECT_EQ(validation_uncertainty({}), 0);
   EXPECT_TRUE(std::isnan(validation_uncertainty({.input = -0.01})));
   EXPECT_TRUE(std::isnan(validation_uncertainty({.time_series = nan})));
-}
-
-TEST(ValidationUncertainty, NamesItsDominantContribution) {
   EXPECT_EQ(dominant_contribution({0.4, 0.1, 0.2, 0.3}), "discretisation");
   EXPECT_EQ(dominant_contribution({0.1, 0.4, 0.2, 0.3}), "time series");
   EXPECT_EQ(dominant_contribution({0.1, 0.2, 0.4, 0.3}), "input");
   EXPECT_EQ(dominant_contribution({0.1, 0.2, 0.3, 0.4}), "reference");
 }
 
-TEST(ThreeWayVerdict, PassesWhereTheWholeIntervalIsWithinTheLimit) {
-  for (const double sign : {-1, 1}) {
-    EXPECT_EQ(verdict(sign * 0.02, 0.02), ThreeWayVerdict::pass);
-    EXPECT_EQ(verdict(sign * 0.02, 0.0299), ThreeWayVerdict::pass);
-    EXPECT_EQ(verdict(sign * 0.05, 0), ThreeWayVerdict::pass);
+TEST(ThreeWayVerdict, PassesOrFailsWhereTheWholeIntervalIsWithinOrBeyondTheBounds) {
+  using enum ThreeWayVerdict;
+  constexpr AllowedRange decay{0.01, 0.03}, at_least{2, infinity}, at_most{-infinity, 2};
+  const struct {
+    double error, uncertainty;
+    ThreeWayVerdict verdict;
+    AllowedRange allowed = within_5_percent;
+  } judged[] = {{0.02, 0.02, pass},
+                {0.02, 0.0299, pass},
+                {0.05, 0, pass},
+                {0.08, 0.0299, fail},
+                {0.0501, 0, fail},
+                {0.02, 0.0301, inconclusive},
+                {0.08, 0.0301, inconclusive},
+                {0.05, 1e-9, inconclusive},
+                {0, 10, inconclusive},
+                {0.02, 0.009, pass, decay},
+                {0.012, 0.003, inconclusive, decay},
+                {0.028, 0.003, inconclusive, decay},
+                {0.005, 0.004, fail, decay},
+                {0.035, 0.004, fail, decay},
+                {1e9, 1, pass, at_least},
+                {2.5, 1, inconclusive, at_least},
+                {0, 1, fail, at_least},
+                {-1e9, 1, pass, at_most},
+                {3.5, 1, fail, at_most}};
+  for (const auto& [error, uncertainty, expected, allowed] : judged) {
+    EXPECT_EQ(verdict(error, uncertainty, allowed), expected) << error;
+    EXPECT_EQ(verdict(-error, uncertainty, {-allowed.upper, -allowed.lower}), expected) << -error;
   }
-}
-
-TEST(ThreeWayVerdict, FailsWhereTheWholeIntervalIsBeyondTheLimit) {
-  for (const double sign : {-1, 1}) {
-    EXPECT_EQ(verdict(sign * 0.08, 0.0299), ThreeWayVerdict::fail);
-    EXPECT_EQ(verdict(sign * 0.0501, 0), ThreeWayVerdict::fail);
-  }
-}
-
-TEST(ThreeWayVerdict, IsInconclusiveWhereTheIntervalHoldsTheLimit) {
-  for (const double sign : {-1, 1}) {
-    EXPECT_EQ(verdict(sign * 0.02, 0.0301), ThreeWayVerdict::inconclusive);
-    EXPECT_EQ(verdict(sign * 0.08, 0.0301), ThreeWayVerdict::inconclusive);
-    EXPECT_EQ(verdict(sign * 0.05, 1e-9), ThreeWayVerdict::inconclusive);
-  }
-  EXPECT_EQ(verdict(0, 10), ThreeWayVerdict::inconclusive);
-}
-
-TEST(ThreeWayVerdict, JudgesARangeFromTheNearerOfItsBounds) {
-  const AllowedRange decay{0.01, 0.03};
-  EXPECT_EQ(verdict(0.02, 0.009, decay), ThreeWayVerdict::pass);
-  EXPECT_EQ(verdict(0.012, 0.003, decay), ThreeWayVerdict::inconclusive);
-  EXPECT_EQ(verdict(0.028, 0.003, decay), ThreeWayVerdict::inconclusive);
-  EXPECT_EQ(verdict(0.005, 0.004, decay), ThreeWayVerdict::fail);
-  EXPECT_EQ(verdict(0.035, 0.004, decay), ThreeWayVerdict::fail);
-}
-
-TEST(ThreeWayVerdict, JudgesARangeWithOneBound) {
-  const AllowedRange at_least{2, infinity}, at_most{-infinity, 2};
-  EXPECT_EQ(verdict(1e9, 1, at_least), ThreeWayVerdict::pass);
-  EXPECT_EQ(verdict(2.5, 1, at_least), ThreeWayVerdict::inconclusive);
-  EXPECT_EQ(verdict(0, 1, at_least), ThreeWayVerdict::fail);
-  EXPECT_EQ(verdict(-1e9, 1, at_most), ThreeWayVerdict::pass);
-  EXPECT_EQ(verdict(3.5, 1, at_most), ThreeWayVerdict::fail);
 }
 
 TEST(ThreeWayVerdict, FailsWhatIsNoNumber) {
@@ -109,24 +93,21 @@ constexpr AllowedRange within_6_percent{-0.06, 0.06};
 TEST(FinerStep, IsTheRatioThatLeavesTheUncertaintyItsRoomBesideTheOthers) {
   const auto outcome = judge_error(0.01, coarse, within_6_percent);
   EXPECT_EQ(outcome.verdict, ThreeWayVerdict::inconclusive);
-  const auto second_order = finer_step(outcome, 2), first_order = finer_step(outcome, 1);
-  ASSERT_TRUE(second_order && first_order);
+  const auto second_order = finer_step(outcome, 2), first_order = finer_step(outcome, 1),
+             to_failure = finer_step(judge_error(0.11, coarse, within_6_percent), 2);
+  ASSERT_TRUE(second_order && first_order && to_failure);
   EXPECT_NEAR(second_order->half_width, 0.04, 1e-12);
   EXPECT_NEAR(second_order->factor, 2, 1e-12);
   EXPECT_NEAR(second_order->cost_ratio, 8, 1e-11);
   EXPECT_NEAR(first_order->factor, 4, 1e-12);
   EXPECT_NEAR(first_order->cost_ratio, 64, 1e-10);
-  auto refined = coarse;
-  refined.discretisation = 0.999 * second_order->half_width;
-  EXPECT_EQ(judge_error(0.01, refined, within_6_percent).verdict, ThreeWayVerdict::pass);
-}
-
-TEST(FinerStep, CanAlsoLeadToAFailure) {
-  const auto remedy = finer_step(judge_error(0.11, coarse, within_6_percent), 2);
-  ASSERT_TRUE(remedy);
-  auto refined = coarse;
-  refined.discretisation = 0.999 * remedy->half_width;
-  EXPECT_EQ(judge_error(0.11, refined, within_6_percent).verdict, ThreeWayVerdict::fail);
+  const auto refined = [](double error, double half_width) {
+    auto contributions = coarse;
+    contributions.discretisation = 0.999 * half_width;
+    return judge_error(error, contributions, within_6_percent).verdict;
+  };
+  EXPECT_EQ(refined(0.01, second_order->half_width), ThreeWayVerdict::pass);
+  EXPECT_EQ(refined(0.11, to_failure->half_width), ThreeWayVerdict::fail);
 }
 
 TEST(LongerWindow, CountsTheSquareOfTheRatio) {
@@ -137,75 +118,18 @@ TEST(LongerWindow, CountsTheSquareOfTheRatio) {
   EXPECT_NEAR(remedy->cost_ratio, 16, 1e-10);
 }
 
-TEST(Remedies, AreNoneWhereTheOtherContributionsLeaveNoRoom) {
-  EXPECT_FALSE(longer_window(judge_error(0.01, coarse, within_6_percent)));
-  EXPECT_FALSE(finer_step(judge_error(0.01, brief, within_6_percent), 2));
-  EXPECT_FALSE(finer_step(judge_error(0.03, coarse, within_6_percent), 2));  // input is 0.03 alone
-  EXPECT_FALSE(finer_step(judge_error(0.06, coarse, within_6_percent), 2));  // on the bound
-}
-
-TEST(Remedies, AreNoneWhereNoneIsNeededOrNoOrderIsKnown) {
-  EXPECT_FALSE(finer_step(judge_error(0.01, {0.01}, within_6_percent), 2));
-  EXPECT_FALSE(longer_window(judge_error(1, {.time_series = 0.01}, within_6_percent)));
-  EXPECT_FALSE(finer_step(judge_error(nan, {0.01}, within_6_percent), 2));
-  for (const double order : {0.0, -1.0, nan})
-    EXPECT_FALSE(finer_step(judge_error(0.01, coarse, within_6_percent), order));
-}
-
-// The verdict on a candidate's forced mode against the same wave as reference.
-class VerdictOnSeries : public ::testing::Test {
- protected:
-  static constexpr double frequency = 1.5;  // [rad/s]
-
-  static TimeSeries wave(double scale = 1, double lag = 0, double end = 20) {
-    return sampled([=](double t) { return 0.01 * scale * std::sin(frequency * (t - lag)); }, 0,
-                   end);
-  }
-
-  // NaN where there is nothing to compare.
-  static Estimate of_forced_mode(const TimeSeries& candidate, Estimate ModeComparison::*metric) {
-    try {
-      return compare(candidate, wave(), {0, 20}, {{"forced", frequency, false}}).modes[0].*metric;
-    } catch (const ComparisonError&) {
-      return {nan, nan};
-    }
-  }
-
-  static ThreeWayVerdict amplitude_verdict(const TimeSeries& candidate) {
-    const Estimate error = of_forced_mode(candidate, &ModeComparison::amplitude_error);
-    return judge_error(error.value, {0.01, error.half_width}, within_5_percent).verdict;
-  }
-
-  static ThreeWayVerdict lag_verdict(const TimeSeries& candidate) {
-    const Estimate lag = of_forced_mode(candidate, &ModeComparison::phase_lag_periods);
-    return judge_error(lag.value, {0.005, lag.half_width}, {-0.02, 0.02}).verdict;
-  }
-};
-
-TEST_F(VerdictOnSeries, PassesATrueCandidate) {
-  EXPECT_EQ(amplitude_verdict(wave()), ThreeWayVerdict::pass);
-  EXPECT_EQ(lag_verdict(wave()), ThreeWayVerdict::pass);
-}
-
-TEST_F(VerdictOnSeries, FailsAScaledOneAndIsInconclusiveNearTheLimit) {
-  EXPECT_EQ(amplitude_verdict(wave(1.07)), ThreeWayVerdict::fail);
-  EXPECT_EQ(amplitude_verdict(wave(0.93)), ThreeWayVerdict::fail);
-  EXPECT_EQ(amplitude_verdict(wave(1.045)), ThreeWayVerdict::inconclusive);
-}
-
-TEST_F(VerdictOnSeries, FailsAShiftedOne) {
-  const double period = two_pi / frequency;
-  EXPECT_EQ(lag_verdict(wave(1, 0.03 * period)), ThreeWayVerdict::fail);
-  EXPECT_EQ(lag_verdict(wave(1, -0.03 * period)), ThreeWayVerdict::fail);
-}
-
-TEST_F(VerdictOnSeries, FailsATruncatedOneAndOneWithNaN) {
-  TimeSeries poisoned = wave();
-  poisoned.value[1000] = nan;
-  for (const TimeSeries& candidate : {poisoned, wave(1, 0, 15)}) {
-    EXPECT_EQ(amplitude_verdict(candidate), ThreeWayVerdict::fail);
-    EXPECT_EQ(lag_verdict(candidate), ThreeWayVerdict::fail);
-  }
+TEST(Remedies, AreNoneWhereTheOthersLeaveNoRoomOrNoneIsNeededOrNoOrderIsKnown) {
+  const auto judged = [](double error, const UncertaintyContributions& contributions) {
+    return judge_error(error, contributions, within_6_percent);
+  };
+  EXPECT_FALSE(longer_window(judged(0.01, coarse)));
+  EXPECT_FALSE(finer_step(judged(0.01, brief), 2));
+  EXPECT_FALSE(finer_step(judged(0.03, coarse), 2));  // input is 0.03 alone
+  EXPECT_FALSE(finer_step(judged(0.06, coarse), 2));  // on the bound
+  EXPECT_FALSE(finer_step(judged(0.01, {0.01}), 2));
+  EXPECT_FALSE(longer_window(judged(1, {.time_series = 0.01})));
+  EXPECT_FALSE(finer_step(judged(nan, {0.01}), 2));
+  for (const double order : {0.0, -1.0, nan}) EXPECT_FALSE(finer_step(judged(0.01, coarse), order));
 }
 
 }  // namespace

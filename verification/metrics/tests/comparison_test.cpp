@@ -93,17 +93,14 @@ TEST(Comparison, TellsAFrequencyErrorAndADecayOfTheNaturalModeFromTheForcedOne) 
   EXPECT_NEAR(result.modes[1].decay_rate.value, 0.05, 1e-8);
   EXPECT_NEAR(result.modes[1].phase_lag.value, 0, 1e-8);  // in step at the window's middle
   EXPECT_NEAR(result.modes[1].amplitude_error.value, 0, 1e-8);
-}
-
-TEST(Comparison, GivesTheDecayAsAShareOfTheReferences) {
   const auto decaying = [](double rate) {
     return sampled([rate](double t) { return 0.01 * std::exp(-rate * t) * std::cos(natural * t); },
                    0, 20);
   };
-  const auto result =
-      compare(decaying(0.06), decaying(0.05), window, {{"natural_1", natural, true}});
-  EXPECT_NEAR(result.modes[0].decay_error.value, 0.2, 1e-7);
-  EXPECT_NEAR(result.modes[0].frequency_error.value, 0, 1e-8);
+  const auto both =
+      compare_modes(decaying(0.06), decaying(0.05), window, {{"natural_1", natural, true}});
+  EXPECT_NEAR(both.at(0).decay_error.value, 0.2, 1e-7);
+  EXPECT_NEAR(both[0].frequency_error.value, 0, 1e-8);
 }
 
 TEST(Comparison, KeepsDriftAndOffsetOutOfTheModesButInTheResidual) {
@@ -212,7 +209,7 @@ TEST(ComparisonOfSharedNoise, IsUncertainByWhatALagLeavesOfIt) {
       early.value[i] += noise.value[i];
     }
     const Estimate error =
-        compare(late, early, window, {{"forced", forced, false}}).modes[0].amplitude_error;
+        compare_modes(late, early, window, {{"forced", forced, false}}).at(0).amplitude_error;
     held += std::abs(error.value - 0.02) <= error.half_width;
     widest = std::max(widest, error.half_width);
   }
@@ -238,8 +235,7 @@ TEST(Comparison, DifferencesHoldTheTruthAsOftenAsTheySay) {
   for (int seed = 1; seed <= trials; ++seed) {
     const auto one = with_noise(low, 3e-4, 0.9, static_cast<std::uint64_t>(seed));
     const auto other = with_noise(right, 3e-4, 0.9, static_cast<std::uint64_t>(seed + trials));
-    const auto result = compare(one, other, window, modes);
-    const Estimate& error = result.modes[1].amplitude_error;
+    const Estimate error = compare_modes(one, other, window, modes).at(1).amplitude_error;
     held += std::abs(error.value + 0.1) <= error.half_width;
   }
   EXPECT_GE(held, 0.90 * trials);  // 95 % but for four standard deviations of the count
@@ -308,15 +304,10 @@ TEST(Comparison, RefusesWhatCannotBeCompared) {
   const auto vanishing = sampled([](double t) { return 1e-200 * wave(t); }, 0, 20);
   EXPECT_TRUE(holds(error_of(vanishing, reference), "constant"));
   EXPECT_NE(error_of(reference, reference, {0, 3}), "");
-}
-
-TEST(Comparison, RefusesAReferenceThatDoesNotMoveBesideTheCandidate) {
-  const TimeSeries still = sampled([](double t) { return 1e-17 * wave(t); }, 0, 20);
-  EXPECT_NE(error_of(reference, still).find("expected a billionth of that at least"),
-            std::string::npos)
-      << error_of(reference, still);
-  EXPECT_EQ(error_of(still, still), "");
-  EXPECT_EQ(error_of(still, reference), "");
+  const auto faint = sampled([](double t) { return 1e-17 * wave(t); }, 0, 20);
+  EXPECT_TRUE(holds(error_of(reference, faint), "expected a billionth of that at least"));
+  EXPECT_EQ(error_of(faint, faint), "");
+  EXPECT_EQ(error_of(faint, reference), "");
 }
 
 TEST(ComparisonWithAConstant, IsOfTheOffsetAndTheResidualAlone) {
@@ -393,10 +384,6 @@ TEST(CrossCorrelation, IsThatOfTheSumsUnderNoise) {
   EXPECT_NEAR(cross_correlation_lag(c, r, window, two_pi / 5), lag_by_sums(c, r, 62), 0.0101);
 }
 
-TEST(CrossCorrelation, IsZeroForEqualSeries) {
-  EXPECT_EQ(cross_correlation_lag(reference, reference, window, forced_period), 0);
-}
-
 // A quadratic search takes sixteen times as long for four times the samples.
 TEST(CrossCorrelation, TakesHardlyLongerThanItsSamplesAreMore) {
   const auto seconds = [](int samples) {
@@ -414,17 +401,13 @@ TEST(CrossCorrelation, FindsALagBelowTheSampleInterval) {
   const auto c = sampled([](double t) { return 3 * std::sin(5 * (t - 0.1234)) + 7; }, 0, 20);
   EXPECT_NEAR(cross_correlation_lag(c, r, window, two_pi / 5), 0.1234, 5e-4);
   EXPECT_NEAR(cross_correlation_lag(r, c, window, two_pi / 5), -0.1234, 5e-4);
+  EXPECT_EQ(cross_correlation_lag(reference, reference, window, forced_period), 0);
   EXPECT_THROW(cross_correlation_lag(c, r, {0, 1}, two_pi / 5), ComparisonError);
 }
 
 TEST(ComparisonWithoutModes, IsOfTheWholeHistoriesAlone) {
-  TimeSeries ramp{"front_position", "m", {}, {}};
-  for (int i = 0; i <= 100; ++i) {
-    ramp.time.push_back(0.01 * i);
-    ramp.value.push_back(0.02 * i);
-  }
-  TimeSeries ahead = ramp;
-  for (double& value : ahead.value) value += 0.1;
+  const TimeSeries ramp = sampled([](double t) { return 2 * t; }, 0, 1),
+                   ahead = sampled([](double t) { return 2 * t + 0.1; }, 0, 1);
   const Comparison result = compare(ahead, ramp, {0, 1}, {});
   EXPECT_NEAR(result.maximum_residual, 0.1, 1e-12);
   EXPECT_NEAR(result.normalised_rms.value, 0.1 * std::sqrt(12.0) / 2,

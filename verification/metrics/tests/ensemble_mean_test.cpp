@@ -36,6 +36,7 @@ TEST(EnsembleMean, IsTheMeanOfAllPairsWithStudentsInterval) {
 
 TEST(EnsembleMean, CountsTheHistoriesOfASingleRunOfManyAndOfNoOther) {
   const Values alike{{2}, {2}, {2}};
+  EXPECT_EQ(ensemble_mean(pairs_of(alike), SingleSide::exact).half_width, 0);
   EXPECT_EQ(ensemble_mean(pairs_of(alike, 0.7), SingleSide::exact).half_width, 0);
   EXPECT_NEAR(ensemble_mean(pairs_of(alike, 0.7), SingleSide::one_of_many).half_width, 0.7, 1e-12);
   EXPECT_EQ(ensemble_mean(pairs_of({{2, 2}, {2, 2}}, 0.7), SingleSide::one_of_many).half_width, 0);
@@ -83,18 +84,11 @@ TEST(EnsembleMean, OfAMagnitudeHoldsTheTruthBySpreadOfTheSeries) {
     }
 }
 
-TEST(EnsembleMean, IsNoNumberWhereAMemberIsNone) {
+TEST(EnsembleMean, IsNoNumberWhereAMemberIsNoneAndRefusesASinglePair) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Estimate found = ensemble_mean(pairs_of({{1}, {nan}, {2}}), SingleSide::exact);
   EXPECT_TRUE(std::isnan(found.value));
   EXPECT_TRUE(std::isnan(found.half_width));
-}
-
-TEST(EnsembleMean, HasNoIntervalOfMembersThatAreAllAlike) {
-  EXPECT_EQ(ensemble_mean(pairs_of({{2}, {2}, {2}}), SingleSide::exact).half_width, 0);
-}
-
-TEST(EnsembleMean, RefusesASinglePair) {
   EXPECT_THROW(ensemble_mean(pairs_of({{2}}), SingleSide::exact), std::invalid_argument);
   EXPECT_THROW(ensemble_mean(pairs_of({}), SingleSide::exact), std::invalid_argument);
 }

@@ -6,29 +6,28 @@
 #include <limits>
 
 #include "verification/metrics/comparison.hpp"
+#include "verification/tests/synthetic_series.hpp"
 
 namespace slosh::quantile_band_test {
 namespace {
 
 constexpr TimeWindow window{0, 10};
 
-template <class Function>
-TimeSeries sampled(const Function& value, double interval = 0.01) {
-  TimeSeries series{"wall_pressure@P", "Pa", {}, {}};
-  for (int i = 0; i * interval <= 10 + 1e-9; ++i) {
-    series.time.push_back(i * interval);
-    series.value.push_back(value(series.time.back()));
-  }
-  return series;
-}
-
 double median(double t) { return 10 * std::sin(t); }
 
-const QuantileBand band{sampled([](double t) { return median(t) - 1; }),
-                        sampled([](double t) { return median(t) + 2; })};
+// The median and what is added to it.
+TimeSeries beside(const std::function<double(double)>& further, double interval = 0.01) {
+  return sampled([&](double t) { return median(t) + further(t); }, 0, 10, interval);
+}
+
+TimeSeries moved(double by) {
+  return beside([by](double) { return by; });
+}
+
+const QuantileBand band{moved(-1), moved(2)};
 
 Comparison against_band(const TimeSeries& candidate) {
-  PreparedSeries reference("reference", sampled(median), window, {});
+  PreparedSeries reference("reference", moved(0), window, {});
   reference.add_band(band);
   return compare(PreparedSeries("candidate", candidate, window, {}), reference);
 }
@@ -37,24 +36,19 @@ double outside(const TimeSeries& candidate, TimeWindow part = window) {
   return share_outside(against_band(candidate).margin.value(), part);
 }
 
-TimeSeries moved(double by) {
-  return sampled([by](double t) { return median(t) + by; });
+TEST(QuantileBand, HoldsTheMedianAndAllUpToItsEdgesOfAReferenceThatHasOne) {
+  for (const double by : {0.0, -0.99, 1.99}) EXPECT_EQ(outside(moved(by)), 0) << by;
+  EXPECT_EQ(outside(moved(2.5)), 1);
+  EXPECT_FALSE(compare(moved(1), moved(0), window, {}).margin.has_value());
 }
 
-TEST(QuantileBand, HoldsTheMedianAndAllUpToItsEdges) {
-  for (const double by : {0.0, -0.99, 1.99}) {
-    EXPECT_EQ(outside(moved(by)), 0) << by;
-  }
-}
-
-TEST(QuantileBand, MeasuresTheDistanceToTheNearerEdge) { EXPECT_EQ(outside(moved(2.5)), 1); }
+double ramp(double t) { return 0.5 * t; }
 
 TEST(QuantileBand, CountsTheTimeOutsideAndNotTheSamples) {
   // It crosses the upper edge at 4 s and is outside for six tenths of the time, between samples
   // too.
-  const auto ramp = [](double t) { return median(t) + 0.5 * t; };
-  EXPECT_NEAR(outside(sampled(ramp)), 0.6, 1e-9);
-  EXPECT_NEAR(outside(sampled(ramp, 0.03)), 0.6, 1e-3);
+  EXPECT_NEAR(outside(beside(ramp)), 0.6, 1e-9);
+  EXPECT_NEAR(outside(beside(ramp, 0.03)), 0.6, 1e-3);
 }
 
 // A band about straight lines, sampled once a second.
@@ -76,11 +70,8 @@ TEST(QuantileBand, HoldsAFrontThatCrossesItBetweenTwoSamplesForThePartOfThatTime
   // The edges move too: the front meets the lower one at 0.25 s and the upper one at 0.6 s.
   EXPECT_NEAR(share_outside(margin_of({-1, 4}, {0, 1}, {2, 2}), {0, 1}), 0.65, 1e-12);
   // Of 10 s the candidate is inside for three tenths of one interval.
-  const TimeSeries jump = sampled([](double t) { return median(t) + (t < 5 ? -5 : 5); });
+  const TimeSeries jump = beside([](double t) { return t < 5 ? -5 : 5; });
   EXPECT_NEAR(outside(jump), 1 - 0.3 * 0.01 / 10, 1e-9);
-}
-
-TEST(QuantileBand, IsLeftAtTheEdgeThatACandidateCrossesAndNotAtTheOneThatWasNearer) {
   // The candidate falls from just below the upper edge and crosses the lower one at 9 / 19 s.
   const TimeSeries falling = margin_of({0.9, -1}, {0, 0}, {1, 1});
   EXPECT_NEAR(share_outside(falling, {0, 1}), 10.0 / 19, 1e-12);
@@ -93,11 +84,10 @@ TEST(QuantileBand, CoversAWindowThatEndsWithinOneIntervalThoughTheMarginHasCorne
 }
 
 TEST(QuantileBand, IsTakenOverAPartOfTheWindow) {
-  const TimeSeries ramp = sampled([](double t) { return median(t) + 0.5 * t; });
-  EXPECT_EQ(outside(ramp, {1, 3.995}), 0);
-  EXPECT_NEAR(outside(ramp, {3.005, 5.005}), 1.005 / 2, 1e-9);
-  EXPECT_THROW(outside(ramp, {4, 11}), ComparisonError);
-  EXPECT_THROW(outside(ramp, {4, 4}), ComparisonError);
+  EXPECT_EQ(outside(beside(ramp), {1, 3.995}), 0);
+  EXPECT_NEAR(outside(beside(ramp), {3.005, 5.005}), 1.005 / 2, 1e-9);
+  EXPECT_THROW(outside(beside(ramp), {4, 11}), ComparisonError);
+  EXPECT_THROW(outside(beside(ramp), {4, 4}), ComparisonError);
 }
 
 TEST(QuantileBand, NeverHoldsANumberThatIsNone) {
@@ -108,10 +98,6 @@ TEST(QuantileBand, NeverHoldsANumberThatIsNone) {
   for (const double none : {not_a_number, infinite, -infinite})
     EXPECT_TRUE(std::isnan(share_outside(margin_of({-1, none, 3}, {0, 0, 0}, {1, 1, 1}), {0, 2})))
         << none;
-}
-
-TEST(QuantileBand, IsOfAReferenceThatHasOne) {
-  EXPECT_FALSE(compare(moved(1), sampled(median), window, {}).margin.has_value());
 }
 
 }  // namespace

@@ -13,19 +13,19 @@ SensorReadings readings(const char* unit, SensorLimits limits) {
   return {"candidate", unit, limits, {0}};
 }
 
-TEST(ReadingDoubts, AreOfAPressureWhoseCrestReadsZeroAndNotOfOneThatFallsDry) {
-  EXPECT_EQ(doubts_of_readings(readings("Pa", {100, {}, at_zero, {}})).size(), 1U);
-  EXPECT_TRUE(doubts_of_readings(readings("Pa", {100, {}, {}, at_zero})).empty());
+std::size_t count(const char* unit, const SensorLimits& limits) {
+  return doubts_of_readings(readings(unit, limits)).size();
 }
 
-TEST(ReadingDoubts, AreNotOfALoadOrASurfaceThatRestsAtEitherEnd) {
+TEST(ReadingDoubts, AreOfFlatsThatArePressuresCrestsAndBesideStepsAndOfSamplesThatAlternate) {
+  EXPECT_EQ(count("Pa", {100, {}, at_zero, {}}), 1U);
+  EXPECT_EQ(count("Pa", {100, {}, {}, at_zero}), 0U) << "it falls dry";
   for (const char* unit : {"N/m", "m"})
-    EXPECT_TRUE(doubts_of_readings(readings(unit, {100, {}, at_zero, at_zero})).empty()) << unit;
-}
-
-TEST(ReadingDoubts, AreOfAFlatBesideSteps) {
-  EXPECT_EQ(doubts_of_readings(readings("m", {100, 1.0, FlatExtreme{90, 1, 1.2, 30}, {}})).size(),
-            1U);
+    EXPECT_EQ(count(unit, {100, {}, at_zero, at_zero}), 0U) << "it rests at either end";
+  EXPECT_EQ(count("m", {100, 1.0, FlatExtreme{90, 1, 1.2, 30}, {}}), 1U);
+  SensorLimits rough{100, {}, {}, {}};
+  rough.roughness = 0.7;
+  EXPECT_EQ(count("N/m", rough), 1U);
 }
 
 TEST(ReadingDoubts, AreOfReadingsThatAreHeldOrJoinedByLines) {
@@ -51,9 +51,9 @@ TEST(ReadingDoubts, TellSamplesThatLeaveTheirNeighboursUnlessTheyMayBeImpacts) {
                                              {"N/m", true, false}}) {
     SensorLimits limits{100, {}, {}, {}};
     limits.isolated = IsolatedReadings{7, 1.5, 0.2, above};
-    EXPECT_EQ(doubts_of_readings(readings(unit, limits)).size(), is_told ? 1U : 0U) << unit;
+    EXPECT_EQ(count(unit, limits), is_told ? 1U : 0U) << unit;
     limits.isolated->value = 40;
-    EXPECT_EQ(doubts_of_readings(readings(unit, limits)).size(), 1U) << unit;
+    EXPECT_EQ(count(unit, limits), 1U) << unit;
     SensorReadings resting = readings(unit, limits);
     resting.rests = {40};
     EXPECT_EQ(doubts_of_readings(resting).size(), 0U) << unit;
@@ -67,17 +67,10 @@ TEST(ReadingDoubts, AreOfLostStretchesThatAreNoImpactAndNoFlat) {
   ASSERT_EQ(doubts.size(), 1U);
   EXPECT_NE(doubts[0].find("7 stretches of the candidate, as from 1.5 to 1.7 s"), std::string::npos)
       << doubts[0];
-  EXPECT_TRUE(doubts_of_readings(readings("N", limits)).empty());
-  EXPECT_TRUE(doubts_of_readings(readings("Pa", limits)).empty());
+  for (const char* unit : {"N", "Pa"}) EXPECT_EQ(count(unit, limits), 0U) << unit;
   limits.lost->value = 90.5;
   limits.highest = FlatExtreme{90, 1, 1.2, 30};
-  EXPECT_EQ(doubts_of_readings(readings("m", limits)).size(), 1U);  // of the flat
-}
-
-TEST(ReadingDoubts, AreOfSamplesThatAlternate) {
-  SensorLimits limits{100, {}, {}, {}};
-  limits.roughness = 0.7;
-  EXPECT_EQ(doubts_of_readings(readings("N/m", limits)).size(), 1U);
+  EXPECT_EQ(count("m", limits), 1U);  // of the flat
 }
 
 // The spray of an impact grows with it.
@@ -85,7 +78,7 @@ TEST(ReadingDoubts, AreOfDeparturesThatGrowWithTheWaveUnlessTheyMayBeImpacts) {
   SensorLimits limits{100, {}, {}, {}};
   limits.growth = 3;
   for (const auto& [unit, is_told] : {std::pair{"m", 1U}, {"m/s", 1U}, {"Pa", 0U}, {"N/m", 0U}})
-    EXPECT_EQ(doubts_of_readings(readings(unit, limits)).size(), is_told) << unit;
+    EXPECT_EQ(count(unit, limits), is_told) << unit;
 }
 
 }  // namespace

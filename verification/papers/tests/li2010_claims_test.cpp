@@ -204,15 +204,12 @@ TEST(ClaimsOfLi2010, AreNotDecidableWithoutTheirRunItsNumbersOrItsWindow) {
   EXPECT_TRUE(begins(claim("C8.1", gone).why, "li2010_20mm of li2010_large_b"));
 }
 
-Held small_held(const std::string& number, const SmallRun& small_run) {
-  return claim(number, {small_case(small_run)}).held;
-}
-
 TEST(ClaimsOnSmallAmplitude, AreRefutedByAnotherPeriodAmplitudeOrShape) {
-  EXPECT_EQ(small_held("C1.1", {.gravity = 9.0}), Held::no);
-  EXPECT_EQ(small_held("C1.2", {.scale = 0.75}), Held::no);
-  EXPECT_EQ(small_held("C1.2", {.scale = 1.2}), Held::no);
-  EXPECT_EQ(small_held("C1.3", {.crests = 1.1}), Held::no);
+  for (const auto& [number, run] : {std::pair<const char*, SmallRun>{"C1.1", {.gravity = 9.0}},
+                                    {"C1.2", {.scale = 0.75}},
+                                    {"C1.2", {.scale = 1.2}},
+                                    {"C1.3", {.crests = 1.1}}})
+    EXPECT_EQ(claim(number, {small_case(run)}).held, Held::no) << number;
   CaseAssessment out = small_case({});
   out.runs.status["linear"] = {RunState::out_of_range, ""};
   EXPECT_EQ(claim("C1.1", {out}).held, Held::undecided);
@@ -315,13 +312,14 @@ TEST(ClaimsOnTheFlow, AreJudgedOnTheMeanOfAnEnsembleWithItsInterval) {
   other.pressure *= 0.98;
   one_peak.second = 0;
   const LargeRun flat{.first = 0.02, .second = 0.02, .momentum = 30, .swing = 20, .pressure = 200};
+  const Cases alike = with_repeats({near, other}), apart = with_repeats({near, flat}),
+              refuted = with_repeats(std::vector<LargeRun>(100, flat));
   for (const char* number : {"C5.1", "C6.4", "C7.3", "C7.4", "C8.1"}) {
-    EXPECT_EQ(claim(number, with_repeats({near, other})).held, Held::yes) << number;
-    EXPECT_TRUE(holds(claim(number, with_repeats({near, other})).found, "(mean of 3 repeats)"));
-    EXPECT_EQ(claim(number, with_repeats({near, flat})).held, Held::undecided)
+    EXPECT_EQ(claim(number, alike).held, Held::yes) << number;
+    EXPECT_TRUE(holds(claim(number, alike).found, "(mean of 3 repeats)"));
+    EXPECT_EQ(claim(number, apart).held, Held::undecided)
         << number << ": the first member alone would confirm it";
-    EXPECT_EQ(claim(number, with_repeats(std::vector<LargeRun>(100, flat))).held, Held::no)
-        << number;
+    EXPECT_EQ(claim(number, refuted).held, Held::no) << number;
   }
   const DecidedClaim without = claim("C7.1", with_repeats({near, one_peak}));
   EXPECT_EQ(without.held, Held::undecided);
@@ -376,14 +374,11 @@ TEST(SurfaceSpectrumTable, SetsEveryRunBesideThePrintedNumbers) {
   for (const auto& links : table.links) EXPECT_EQ(links.at(0), "figure-seven");
 }
 
-TEST(SectionOfLi2010, HasTheSpectraOfItsCases) {
-  EXPECT_EQ(section_of("li2010", {}).tables.size(), 5u);
-  EXPECT_EQ(section_of("li2010", good()).tables.size(), 6u);
-}
-
 TEST(SectionOfLi2010, LinksEachRowToThePanelThatItSpeaksOf) {
   RedrawnFigures redrawn = nothing_redrawn("li2010");
   for (RedrawnFigure& one : redrawn) one.anchors = {"figure-" + one.number, "figure-second"};
+  EXPECT_EQ(section_of("li2010", {}).tables.size(), 5u);
+  EXPECT_EQ(section_of("li2010", good()).tables.size(), 6u) << "with the spectra of its cases";
   std::vector<std::string> linked;
   for (const reports::Table& table : paper_section(paper_named("li2010"), good(), redrawn).tables)
     for (const std::vector<std::string>& links : table.links)
@@ -391,20 +386,18 @@ TEST(SectionOfLi2010, LinksEachRowToThePanelThatItSpeaksOf) {
                        links.at(table.id == "li2010-spectrum"  ? 0
                                 : table.id == "li2010-figures" ? 2
                                                                : links.size() - 1));
-  const auto count = [&](const std::string& row) {
-    return std::count(linked.begin(), linked.end(), row);
-  };
-  EXPECT_EQ(count("li2010-claims figure-1"), 3);
-  EXPECT_EQ(count("li2010-claims figure-2"), 5);
-  EXPECT_EQ(count("li2010-claims figure-6"), 4);
-  EXPECT_EQ(count("li2010-claims figure-7"), 5);
-  EXPECT_EQ(count("li2010-spectrum figure-7"), 8);
-  EXPECT_EQ(count("li2010-numbers figure-1"), 3);
-  EXPECT_EQ(count("li2010-numbers "), 2) << "the natural frequency and the number of particles";
-  EXPECT_EQ(count("li2010-errata figure-1"), 2);
-  EXPECT_EQ(count("li2010-errata figure-7"), 1);
-  EXPECT_EQ(count("li2010-errata figure-2"), 1);
-  EXPECT_EQ(count("li2010-figures figure-4"), 1);
+  for (const auto& [row, count] : {std::pair{"claims figure-1", 3},
+                                   {"claims figure-2", 5},
+                                   {"claims figure-6", 4},
+                                   {"claims figure-7", 5},
+                                   {"spectrum figure-7", 8},
+                                   {"numbers figure-1", 3},
+                                   {"numbers ", 2},  // natural frequency and number of particles
+                                   {"errata figure-1", 2},
+                                   {"errata figure-7", 1},
+                                   {"errata figure-2", 1},
+                                   {"figures figure-4", 1}})
+    EXPECT_EQ(std::ranges::count(linked, std::string("li2010-") + row), count) << row;
 }
 
 std::vector<std::vector<std::string>> printed_numbers(const CaseAssessment& assessment) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,11 +15,16 @@ namespace slosh {
 
 using Cases = std::vector<CaseAssessment>;
 
+// Decides the claim and those before it that it rests on, and no others.
 inline DecidedClaim claim_of(const std::string& paper, const std::string& number,
                              const Cases& cases) {
-  for (const DecidedClaim& one : decided_claims(paper_named(paper), cases))
-    if (one.claim.number == number) return one;
-  throw std::logic_error("no claim " + number);
+  Paper alone = paper_named(paper);
+  std::set<std::string> needed{number};
+  for (auto one = alone.claims.rbegin(); one != alone.claims.rend(); ++one)
+    if (needed.contains(one->number)) needed.insert(one->rests_on.begin(), one->rests_on.end());
+  std::erase_if(alone.claims, [&](const Claim& one) { return !needed.contains(one.number); });
+  if (alone.claims.empty()) throw std::logic_error("no claim " + number);
+  return decided_claims(alone, cases).back();
 }
 
 // Expects this of each claim that rests on runs, and that no other one is decided.

@@ -75,7 +75,7 @@ TEST(WallTreatments, AreMeasuredOverTheLastFifthAndPerParticleAndStep) {
   EXPECT_NO_THROW(reports::check_report(report));
 }
 
-TEST(WallTreatments, HoldTheLiquidOnlyWhereNothingCrossedAWall) {
+TEST(WallTreatments, HoldTheLiquidOnlyWhereNothingCrossedAWallAndSayWhatIsNaNOrHasNoResult) {
   CaseAssessment assessment = tagged_case();
   const auto verdict = [&](std::optional<double> crossings) {
     auto& diagnostics = assessment.runs.results["mirror"].diagnostics;
@@ -87,10 +87,6 @@ TEST(WallTreatments, HoldTheLiquidOnlyWhereNothingCrossedAWall) {
   EXPECT_EQ(verdict(1), "refuted");
   EXPECT_EQ(verdict(nan), "not decidable");
   EXPECT_EQ(verdict({}), "not decidable");
-}
-
-TEST(WallTreatments, SayWhatIsNaNOrHasNoResult) {
-  CaseAssessment assessment = tagged_case();
   for (TimeSeries& series : assessment.runs.results["mirror"].series) series.value[1900] = nan;
   add_absent_run(assessment, "repulsive_mirror", SphRun{"li2010", 0.01, 0.01}, RunState::failed);
   const auto rows = wall_treatment_section({assessment})->tables[0].rows;

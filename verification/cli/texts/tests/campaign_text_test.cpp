@@ -13,10 +13,6 @@ const std::string lines =
     "violated       small mesh forced amplitude_error elevation@right: 40 % is not <= 30 %\n"
     "FAIL: 1 of 2 gate rows hold, 1 violated.\n";
 
-TEST(VerdictText, StaysAsItIsOutsideATerminal) {
-  EXPECT_EQ(as_shown(lines, {.live = false, .colour = false, .columns = 80}), lines);
-}
-
 TEST(VerdictText, BreaksBetweenWordsAtTheTerminalsWidth) {
   for (const int columns : {40, 60, 80, 200}) {
     const std::string shown = as_shown(lines, {.live = true, .colour = false, .columns = columns});
@@ -29,11 +25,9 @@ TEST(VerdictText, BreaksBetweenWordsAtTheTerminalsWidth) {
       EXPECT_EQ(word, expected) << "a word was broken or lost at " << columns;
     }
   }
-}
-
-TEST(VerdictText, LeavesAWordThatIsLongerThanTheTerminalWhole) {
-  const std::string text = "report: /a/path/that/is/longer/than/the/terminal end\n";
-  EXPECT_EQ(as_shown(text, {.live = true, .colour = false, .columns = 20}),
+  EXPECT_EQ(as_shown(lines, {.live = false, .colour = false, .columns = 80}), lines);
+  EXPECT_EQ(as_shown("report: /a/path/that/is/longer/than/the/terminal end\n",
+                     {.live = true, .colour = false, .columns = 20}),
             "report:\n  /a/path/that/is/longer/than/the/terminal\n  end\n");
 }
 

@@ -35,48 +35,40 @@ GateRow row_of(Metric metric, const std::string& unit) {
   return row;
 }
 
-TEST(CaseExplanation, TellsWhatWasMeasuredApartFromWhatIsExpected) {
-  KnownRun known;
-  known.cost.processor_time = 1.4;
-  const std::string expected = explanation(tank(), {{"a_run", known}});
-  EXPECT_TRUE(holds(expected, "spacing 10 mm: about 1.4 core-seconds, scaled from another run "))
-      << expected;
-  known.start = SphOutline{3500, {"a kernel", "a state"}};
-  known.cost.measured = true;
-  const std::string measured = explanation(tank(), {{"a_run", known}});
-  EXPECT_TRUE(holds(measured, "3500 particles: 1.4 core-seconds measured ")) << measured;
-  EXPECT_TRUE(holds(measured, " terms: a kernel; a state "));
+// The case with one run of which this is known.
+std::string explained(const KnownRun& known, const CaseDefinition& definition = tank()) {
+  return explanation(definition, {{"a_run", known}});
 }
 
-TEST(CaseExplanation, TellsHowMuchTheSamplesShortenTheSteps) {
+TEST(CaseExplanation, TellsWhatWasMeasuredApartFromWhatIsExpectedAndWhatARunIsFor) {
   KnownRun known;
+  known.cost.processor_time = 1.4;
+  EXPECT_TRUE(
+      holds(explained(known), "spacing 10 mm: about 1.4 core-seconds, scaled from another run "));
+  known.start = SphOutline{3500, {"a kernel", "a state"}};
+  known.cost.measured = true;
+  EXPECT_TRUE(holds(explained(known), "3500 particles: 1.4 core-seconds measured "));
+  EXPECT_TRUE(holds(explained(known), " terms: a kernel; a state "));
   known.step = SphStep{.stable = 0.001, .between_samples = 0.0008};
-  EXPECT_TRUE(holds(explanation(tank(), {{"a_run", known}}),
+  EXPECT_TRUE(holds(explained(known),
                     "steps: 0.8 ms each: landing on the samples every 20 ms shortens the stable 1 "
                     "ms by 20 %"));
   known.step = SphStep{.stable = 0.001, .between_samples = 0.001};
-  EXPECT_FALSE(holds(explanation(tank(), {{"a_run", known}}), "steps:"));
-}
-
-TEST(CaseExplanation, TellsThatACoarseRunMeasuresTheExpectedSpeed) {
+  EXPECT_FALSE(holds(explained(known), "steps:"));
   CaseDefinition definition = tank();
-  KnownRun known;
   known.start = SphOutline{3500, {"a kernel"}, 1.875};
-  EXPECT_FALSE(holds(explanation(definition, {{"a_run", known}}), "coarse run"));
+  EXPECT_FALSE(holds(explained(known, definition), "coarse run"));
   std::get<SphRun>(definition.runs.front().solver).speed_from_coarse_run = true;
-  const std::string text = explanation(definition, {{"a_run", known}});
+  const std::string text = explained(known, definition);
   EXPECT_TRUE(holds(text, "with expected_speed = coarse_run, spacing 10 mm")) << text;
   EXPECT_TRUE(holds(text,
                     "a coarse run of the same flow measures the expected largest speed first; cost "
                     "and steps are those of the estimate, 1.875 m/s"))
       << text;
-}
-
-TEST(CaseExplanation, TellsWhatARunAtTheEndOfAnInputIsFor) {
-  CaseDefinition definition = tank();
   definition.runs.front().at_input = InputEnd{Input::fill_depth, -0.0005, "coarse"};
   EXPECT_TRUE(holds(explanation(definition, {}),
                     "repeats coarse with fill_depth less by 0.0005 m, for u_input"));
+  EXPECT_TRUE(holds(explanation(definition, {}), "Gate rows none: the case is only shown"));
 }
 
 TEST(CaseExplanation, TellsTheShapeOfTheTankAndWhereItsSensorsSit) {
@@ -97,10 +89,6 @@ TEST(CaseExplanation, TellsTheShapeOfTheTankAndWhereItsSensorsSit) {
   definition.tank.diameter = 1;
   EXPECT_TRUE(holds(explanation(definition, {}),
                     "tank a lying cylinder of 1 m diameter, as a polygon of 3 corners"));
-}
-
-TEST(CaseExplanation, SaysThatACaseWithoutRowsGatesNothing) {
-  EXPECT_TRUE(holds(explanation(tank(), {}), "Gate rows none: the case is only shown"));
 }
 
 TEST(CaseExplanation, TellsEveryKindOfBound) {

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "verification/tests/impact_results.hpp"
 #include "verification/tests/messages.hpp"
-#include "verification/tests/sample_case.hpp"
+#include "verification/tests/surge_results.hpp"
 
 namespace slosh::result_text_test {
 namespace {
@@ -42,6 +43,12 @@ TEST(RunSummary, TellsThePeaksAndThePeriodOfEachGaugeAndWhatTheRunTook) {
     EXPECT_TRUE(holds(text, line)) << text;
   EXPECT_TRUE(holds(run_summary(swaying(0.05), sample_case(), particles), "lowest 0 m at 0 s\n"))
       << "too short a series has no period";
+  RunResult linear = swaying(16);
+  linear.solver = "linear";
+  linear.cost.elements = 0;
+  const std::string theory = run_summary(linear, sample_case(), sample_run(LinearRun{}));
+  EXPECT_FALSE(holds(theory, "steps"));
+  EXPECT_FALSE(holds(theory, "particles"));
 }
 
 TEST(RunSummary, TellsHowMuchTheSamplesShortenTheStep) {
@@ -76,59 +83,34 @@ TEST(RunSummary, TellsTheSpeedThatACoarseRunMeasuredAndTheStepThatFollowsFromIt)
                     step_text(step, sample_case().sample_interval)));
 }
 
-TEST(RunSummary, TellsNoStepsOfAnotherSolver) {
-  RunResult result = swaying(16);
-  result.solver = "linear";
-  result.cost.elements = 0;
-  const std::string text = run_summary(result, sample_case(), sample_run(LinearRun{}));
-  EXPECT_FALSE(holds(text, "steps"));
-  EXPECT_FALSE(holds(text, "particles"));
-}
-
-RunResult result_of(const std::vector<TimeSeries>& series) {
+RunResult with_series(const std::vector<TimeSeries>& series) {
   RunResult result{};
   result.series = series;
   return result;
 }
 
-TEST(SeriesCsv, HasAColumnOfEachSeriesWithItsUnit) {
-  EXPECT_EQ(series_csv(result_of({{"elevation@right", "m", {0, 0.1}, {0, 1.0 / 3}},
-                                  {"force_x", "N/m", {0, 0.1}, {-1e-7, 2}}})),
+TEST(SeriesCsv, HasAColumnOfEachSeriesWithItsUnitAndAnEmptyCellWhereItHasNoValue) {
+  EXPECT_EQ(series_csv(with_series({{"elevation@right", "m", {0, 0.1}, {0, 1.0 / 3}},
+                                    {"force_x", "N/m", {0, 0.1}, {-1e-7, 2}}})),
             "time [s],elevation@right [m],force_x [N/m]\n"
             "0,0,-1e-07\n"
             "0.1,0.3333333333333333,2\n");
+  EXPECT_EQ(
+      series_csv(with_series({{"a", "m", {0, 2}, {1, 2}}, {"b", "Pa", {1, 2, 3}, {3, 4, 5}}})),
+      "time [s],a [m],b [Pa]\n0,1,\n1,,3\n2,2,4\n3,,5\n");
+  EXPECT_THROW(series_csv(with_series({{"a", "m", {0, 2, 2}, {1, 2, 3}}})), ResultError)
+      << "times that do not increase";
 }
 
-TEST(SeriesCsv, LeavesACellEmptyWhereASeriesHasNoValue) {
-  EXPECT_EQ(series_csv(result_of({{"a", "m", {0, 2}, {1, 2}}, {"b", "Pa", {1, 2, 3}, {3, 4, 5}}})),
-            "time [s],a [m],b [Pa]\n"
-            "0,1,\n"
-            "1,,3\n"
-            "2,2,4\n"
-            "3,,5\n");
-}
-
-TEST(SeriesCsv, RefusesTimesThatDoNotIncrease) {
-  EXPECT_THROW(series_csv(result_of({{"a", "m", {0, 2, 2}, {1, 2, 3}}})), ResultError);
-}
-
-CaseTheories theories() {
-  CaseTheories theories{};
-  theories.result.series = {{"elevation@right/linear", "m", {0, 1}, {0, 0.01}}};
-  theories.remarks = {{"linear", "linear flow", "small waves", "none"}};
-  return theories;
-}
-
-CaseDefinition definition() {
+TEST(TheoryCsv, TellsTheRangeAndTheUncertaintyInCommentsAboveTheTableAndWhyItIsOutside) {
   CaseDefinition definition{};
   definition.name = "surge";
   definition.title = "A surge";
   definition.source = "made for a test,\nin two lines";
-  return definition;
-}
-
-TEST(TheoryCsv, TellsTheRangeAndTheUncertaintyInCommentsAboveTheTable) {
-  EXPECT_EQ(theory_csv(definition(), theories()),
+  CaseTheories theories{};
+  theories.result.series = {{"elevation@right/linear", "m", {0, 1}, {0, 0.01}}};
+  theories.remarks = {{"linear", "linear flow", "small waves", "none"}};
+  EXPECT_EQ(theory_csv(definition, theories),
             "# Case surge: A surge\n"
             "# Source: made for a test,\n"
             "# in two lines\n"
@@ -138,13 +120,67 @@ TEST(TheoryCsv, TellsTheRangeAndTheUncertaintyInCommentsAboveTheTable) {
             "time [s],elevation@right/linear [m]\n"
             "0,0\n"
             "1,0.01\n");
+  theories.remarks[0].outside = "predicts too high a wave";
+  EXPECT_TRUE(holds(theory_csv(definition, theories),
+                    "# linear is outside its range: it predicts too high a wave\n"));
 }
 
-TEST(TheoryCsv, TellsWhyATheoryIsOutsideItsRange) {
-  CaseTheories outside = theories();
-  outside.remarks[0].outside = "predicts too high a wave";
-  const std::string text = theory_csv(definition(), outside);
-  EXPECT_TRUE(holds(text, "# linear is outside its range: it predicts too high a wave\n"));
+CaseDefinition published_case() {
+  CaseDefinition definition = impact_case();
+  definition.impacts->arrivals = ArrivalsDefinition{0.5, definition.impacts->times};
+  definition.impacts->impulses = ImpulsesDefinition{0.05, {50, 51, 52, 53}};
+  definition.impacts->rise_times = RiseTimesDefinition{{0.003, 0.004, 0.005, 0.006}};
+  return definition;
+}
+
+TEST(ImpactText, HasALineOfEachFileAndOneOfWhatIsPublished) {
+  const std::string lines =
+      impact_lines(published_case(), pressure_of({.late = 0.012}), pressure_of({.impacts = 1}));
+  EXPECT_TRUE(holds(lines, "impact_1 of the candidate: peak 3710 Pa at 2.3870 s, rise time 0.00"));
+  EXPECT_TRUE(holds(lines, "impact_1 of the reference: peak 3710 Pa at 2.3750 s, rise time"));
+  EXPECT_TRUE(holds(lines, "impact_2 of the reference: no impact\n"));
+  EXPECT_TRUE(holds(lines,
+                    "impact_4 as published: peak 4643 Pa at 7.3030 s, rise time 0.006 s, "
+                    "arrival 7.3030 s, impulse 53 Pa s\n"));
+  const std::string cut =
+      impact_lines(published_case(), pressure_of({.until = 2}), pressure_of({}));
+  EXPECT_TRUE(begins(cut, "impacts of the candidate: wall_pressure@B")) << "why it has none";
+  EXPECT_FALSE(holds(cut, "impact_1 of the candidate"));
+  EXPECT_TRUE(holds(cut, "impact_1 of the reference"));
+  CaseDefinition without = published_case();
+  EXPECT_TRUE(has_impacts(without, impact_pressure));
+  EXPECT_FALSE(has_impacts(without, "elevation@left"));
+  without.impacts.reset();
+  EXPECT_FALSE(has_impacts(without, impact_pressure));
+}
+
+TEST(ImpactText, ListsThePlateauWhereOneIsPublished) {
+  CaseDefinition definition = published_case();
+  definition.impacts->plateau_begin = 2.45;
+  definition.impacts->plateau_end = 2.65;
+  definition.impacts->plateau = 670;
+  TimeSeries flat = pressure_of({});
+  for (double& value : flat.value) value = 737;
+  const std::string lines = impact_lines(definition, flat, pressure_of({.until = 2.5}));
+  EXPECT_TRUE(holds(lines, "plateau of the candidate: 737 Pa, +10 %\n"));
+  EXPECT_TRUE(holds(lines, "plateau of the reference: wall_pressure@B"));
+  EXPECT_TRUE(holds(lines, "plateau as published: 670 Pa\n"));
+  definition.impacts->plateau = 0;
+  EXPECT_FALSE(holds(impact_lines(definition, flat, flat), "plateau"));
+}
+
+TEST(ConvergenceText, TellsBesideItsFiguresThatARunIsNotSound) {
+  CaseRuns runs = surge_runs();
+  const auto told = [&](const std::string& words) {
+    const ConvergenceStudy study{
+        assess(surge_case(), runs), {"particles", "theory", surge_quantity}, {}};
+    EXPECT_EQ(text_of(study).find("doubtful: ") != std::string::npos, !words.empty());
+    return text_of(study).find(words) != std::string::npos &&
+           json_of(study).find("\"doubtful\": \"" + words) != std::string::npos;
+  };
+  EXPECT_TRUE(told(""));
+  runs.results.at("particles").series.push_back({"mach_number", "1", {0, 10, 20}, {0.5, 0.5, 0.5}});
+  EXPECT_TRUE(told("particles is not sound: its Mach number but for 5 % of the time is 0.5"));
 }
 
 }  // namespace

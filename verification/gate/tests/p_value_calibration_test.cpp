@@ -1,13 +1,52 @@
-// Families of p-values of known truth: a perfect model passes them as a whole, a wrong one does
-// not.
+// P-values by permutation, and families of them, calibrated on samples of one known distribution: a
+// perfect model passes them, a wrong one does not.
 #include <gtest/gtest.h>
 
 #include "verification/gate/distributions/holm_correction.hpp"
 #include "verification/gate/distributions/permutation_test.hpp"
 #include "verification/gate/tests/random_peaks.hpp"
 
-namespace slosh::holm_calibration_test {
+namespace slosh::p_value_calibration_test {
 namespace {
+
+struct Shares {
+  double mean = 0, ks = 0, ad = 0;  // the shares of trials with p < 5 %
+};
+
+Shares shares(double scale, int trials) {
+  RandomPeaks random(20);
+  Shares share;
+  const auto add = [&](double& one, double p) { one += (p < 0.05 ? 1.0 : 0.0) / trials; };
+  for (int k = 0; k < trials; ++k) {
+    const Distribution candidate = random.sample(of_candidate, scale),
+                       experiment = random.sample(of_experiment);
+    const SeededTrials divisions{399, static_cast<std::uint64_t>(k)};
+    const auto p = [&](const TwoSampleStatistic& statistic) {
+      return permutation_p_value(candidate, experiment, statistic, divisions).value;
+    };
+    add(share.mean, welch_p_value(candidate, experiment));
+    add(share.ks, p(kolmogorov_smirnov_statistic));
+    add(share.ad, p(anderson_darling_statistic));
+  }
+  return share;
+}
+
+TEST(PermutationTest, RejectsOneDistributionInFivePercentOfAllCases) {
+  constexpr int trials = 3000;
+  const Shares share = shares(1, trials);
+  const double half_width = binomial_half_width(0.05, trials);
+  EXPECT_NEAR(share.mean, 0.05, half_width);
+  EXPECT_NEAR(share.ks, 0.05, half_width);
+  EXPECT_NEAR(share.ad, 0.05, half_width);
+}
+
+TEST(PermutationTest, SeesPeaksThatAreAQuarterTooHighInMostCases) {
+  constexpr int trials = 1000;
+  const Shares share = shares(1.25, trials);
+  EXPECT_NEAR(share.mean, 0.80, 0.045);
+  EXPECT_NEAR(share.ks, 0.74, 0.045);
+  EXPECT_NEAR(share.ad, 0.83, 0.045);
+}
 
 // The twelve p-values of spheric10_water: three tests of each of four impacts.
 std::vector<Estimate> family_of(RandomPeaks& random, double scale) {
@@ -55,4 +94,4 @@ TEST(HolmCorrection, FindsAModelWhosePeaksAreHalfAsHighAgain) {
 }
 
 }  // namespace
-}  // namespace slosh::holm_calibration_test
+}  // namespace slosh::p_value_calibration_test
