@@ -1,3 +1,4 @@
+// Outlines and the meshes that they cut.
 #include "openfoam_cases/outline/cut_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -8,10 +9,37 @@
 #include "openfoam_cases/check_tank.hpp"
 #include "openfoam_cases/geometry/gauge_columns.hpp"
 #include "openfoam_cases/geometry/initial_liquid.hpp"
+#include "openfoam_cases/outline/filling.hpp"
+#include "openfoam_cases/outline/outline.hpp"
 #include "openfoam_cases/tests/outlines.hpp"
 
 namespace slosh::openfoam::cut_mesh_test {
 namespace {
+
+TEST(Outline, HasTheAreaOfItsPartBelowALevel) {
+  const Polygon chamfered = chamfered_tank().outline;
+  EXPECT_NEAR(area_of(chamfered), 0.8 - 0.13 * 0.13 - 0.23 * 0.23, 1e-15);
+  EXPECT_NEAR(area_below(chamfered, 0.31), 0.31 - 0.13 * 0.13, 1e-15);
+  EXPECT_NEAR(area_below(chamfered, 0.05), 0.05 * (0.74 + 0.05), 1e-15);
+  EXPECT_EQ(area_below(chamfered, 0), 0);
+  EXPECT_EQ(area_below(chamfered, 0.8), area_of(chamfered));
+  const double regular = 64 * 0.25 * std::sin(2 * std::numbers::pi / 128);
+  EXPECT_NEAR(area_of(lying_cylinder().outline), regular, 1e-14);
+  EXPECT_NEAR(area_below(lying_cylinder().outline, 0.5), regular / 2, 1e-14);
+  EXPECT_NEAR(area_below(inclined_tank().outline, 0.31), 0.31 * (0.6 + 0.31 / 3), 1e-15);
+}
+
+TEST(Outline, FillsToTheLevelThatItsAreaCameFrom) {
+  for (const SloshingTank& tank : {chamfered_tank(), lying_cylinder(), inclined_tank()}) {
+    const Filling filling({tank.outline});
+    for (int i = 1; i < 50; ++i) {
+      const double level = tank.height * i / 50;
+      EXPECT_NEAR(filling.level(area_below(tank.outline, level)), level, 1e-12);
+    }
+    EXPECT_EQ(filling.level(-1), 0);
+    EXPECT_EQ(filling.level(2), tank.height);
+  }
+}
 
 // A ridge on the bottom, whose tip leaves two parts of one cell.
 SloshingTank ridged_tank() {
@@ -121,39 +149,6 @@ TEST(CutMesh, StartsUnderAWave) {
   EXPECT_NEAR(initial_volume(tank, mesh) / area_below(tank.outline, 0.5), 1, 1e-5);
   const double level = surface_level(mesh, 10, initial_depth(tank, mesh, 10));
   EXPECT_NEAR(level, mean_height(tank, 0.25, 0.275), 1e-9);
-}
-
-std::string refusal(const SloshingTank& tank) {
-  return message_of<std::invalid_argument>([&] { check_tank(tank); });
-}
-
-TEST(CutMesh, IsRefusedWhereItIsTooCoarse) {
-  SloshingTank tank = inclined_tank();
-  tank.outline = {{0, 0}, {0.498, 0}, {0.5, 0.5}, {0.502, 0}, {1, 0}, {1, 0.6}, {0, 0.6}};
-  EXPECT_NE(refusal(tank).find("it divides the cell in column 18, row"), std::string::npos)
-      << refusal(tank);
-  EXPECT_EQ(refusal(inclined_tank()), "");
-  tank = lying_cylinder();
-  tank.cells_x = tank.cells_z = 4;
-  EXPECT_NE(refusal(tank).find("at most half do"), std::string::npos) << refusal(tank);
-}
-
-TEST(CutMesh, RefusesWhatItCannotCarry) {
-  SloshingTank tank = chamfered_tank();
-  tank.obstacles = {{0.5, 0.525, 0, 0.1}};
-  EXPECT_NE(refusal(tank).find("obstacles: expected none in a tank with an outline"),
-            std::string::npos);
-  tank = chamfered_tank();
-  tank.column_width = 0.3;
-  EXPECT_NE(refusal(tank).find("column_width = 0.3: expected none"), std::string::npos);
-  tank = chamfered_tank();
-  tank.loaded_walls = {"left_bottom"};
-  EXPECT_NE(refusal(tank).find("loaded wall \"left_bottom\": expected left, right, bottom or roof"),
-            std::string::npos);
-  tank = chamfered_tank();
-  tank.fill_depth = 0.8;
-  EXPECT_NE(refusal(tank).find("fill_depth = 0.8: expected less than the height"),
-            std::string::npos);
 }
 
 }  // namespace

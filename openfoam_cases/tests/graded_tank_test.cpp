@@ -108,33 +108,8 @@ TEST(GradedTank, IsWrittenWithItsGradingAndItsWalls) {
   const TemporaryDirectory directory;
   write_case(tank, template_directory, directory.path());
   const std::string mesh = contents(directory.path() / "system/blockMeshDict");
-  EXPECT_NE(mesh.find("(30 1 26) simpleGrading ((("), std::string::npos) << mesh;
-  EXPECT_NE(contents(directory.path() / "0/U").find("walls        { type noSlip; }"),
-            std::string::npos);
-}
-
-TEST(GradedTank, IsRefusedWithObstaclesAndAnOutlineAndWithoutViscosity) {
-  const auto refused = [](auto change) {
-    SloshingTank tank = graded_tank();
-    change(tank);
-    const TemporaryDirectory directory;
-    return message_of<std::invalid_argument>(
-        [&] { write_case(tank, template_directory, directory.path()); });
-  };
-  EXPECT_EQ(
-      refused([](SloshingTank& t) {
-        t.obstacles = {{0.11, 0.22, 0, 0.13}};
-      }),
-      "OpenFOAM tank: wall_cell = 0.015: expected none in a tank with an outline or obstacles, "
-      "whose cells are uniform");
-  EXPECT_NE(refused([](SloshingTank& t) {
-              t.outline = {{0, 0}, {1.1, 0}, {1.1, 1.3}, {0, 1.3}};
-            }).find("wall_cell = 0.015: expected none"),
-            std::string::npos);
-  EXPECT_EQ(
-      refused([](SloshingTank& t) { t.no_slip = true, t.liquid.kinematic_viscosity = 0; }),
-      "OpenFOAM tank: kinematic_viscosity = 0: expected above 0 m2/s for a liquid that sticks "
-      "to the walls");
+  EXPECT_TRUE(holds(mesh, "(30 1 26) simpleGrading ((("));
+  EXPECT_TRUE(holds(contents(directory.path() / "0/U"), "walls        { type noSlip; }"));
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
-// Wall pressure, force, moment, momentum and fields of the installed interFoam, compared with
-// statics and mechanics.
+// Loads of the installed interFoam, and tanks with obstacles in it.
 #include <gtest/gtest.h>
 
+#include <regex>
+
+#include "openfoam_cases/output/harvest.hpp"
 #include "openfoam_cases/tests/motions.hpp"
 #include "openfoam_cases/tests/run_fixture.hpp"
 
@@ -35,6 +37,8 @@ TEST_F(RunLoads, OfAStillTankAreThoseOfStatics) {
                           {"wide", Wall::right, 0.15, 0.2},
                           {"corner", Wall::bottom, 0, 0},
                           {"bottom", Wall::bottom, 0.7, 0.05}};
+  tank.loaded_walls = {"left", "right", "bottom", "roof"};
+  tank.probes = {{"deep", 0.31, 0.12}, {"wall", 0, 0.02}, {"gas", 0.5, 0.9}};
   const Harvest result = run(tank);
   for (const PressureGauge& gauge : tank.pressure_gauges) {
     const double expected = still_pressure(tank, gauge.wall == Wall::bottom ? 0 : gauge.position);
@@ -50,6 +54,20 @@ TEST_F(RunLoads, OfAStillTankAreThoseOfStatics) {
     EXPECT_NEAR(result.force_z.value[i], -weight, 1e-5 * weight);
     EXPECT_NEAR(result.moment.value[i], -(tank.length / 2 - 0.3) * weight, 1e-5 * weight);
   }
+  // Forces by wall are those above the gas's mean pressure. Its own weight makes it lighter by half
+  // of that at the roof, and adds less than 1 % to the force on a side wall.
+  const double side = tank.liquid.density * tank.gravity * tank.fill_depth * tank.fill_depth / 2;
+  EXPECT_NEAR(result.wall_force_x.at("left").value.back(), -side, 0.01 * side);
+  EXPECT_NEAR(result.wall_force_x.at("right").value.back(), side, 0.01 * side);
+  const double gas_weight =
+      tank.gravity * tank.gas.density * tank.length * (tank.height - tank.fill_depth);
+  EXPECT_NEAR(result.wall_force_z.at("roof").value.back(), -gas_weight / 2,
+              pressure_tolerance * tank.length);
+  for (const auto& [probe, z] : {std::pair{"deep", 0.12}, {"wall", 0.02}})
+    EXPECT_NEAR(result.pressure.at(probe).value.back(), still_pressure(tank, z),
+                pressure_tolerance);
+  EXPECT_EQ(result.pressure.at("gas").value.back(), 0);
+  EXPECT_NEAR(result.velocity_x.at("deep").value.back(), 0, 1e-4);
   const FieldSnapshot& fields = result.snapshots.at(0);
   EXPECT_NEAR(fields.time, 0.05, 1e-9);
   ASSERT_EQ(fields.liquid_share.size(), 1040u);
@@ -63,42 +81,6 @@ TEST_F(RunLoads, OfAStillTankAreThoseOfStatics) {
     }
   }
   EXPECT_NEAR(liquid, tank.length * tank.fill_depth, 1e-9);
-}
-
-// Forces by wall are those above the gas's mean pressure. Its own weight makes it lighter by half
-// of that at the roof, and adds less than 1 % to the force on a side wall.
-TEST_F(RunLoads, OfTheWallsAddUpToThoseOfTheTankAndAreHydrostaticAtRest) {
-  SloshingTank tank = still_tank();
-  tank.cells_z = 52;
-  tank.duration = 0.1;
-  tank.loaded_walls = {"left", "right", "bottom", "roof"};
-  tank.probes = {{"deep", 0.31, 0.12}, {"wall", 0, 0.02}, {"gas", 0.5, 0.9}};
-  const Harvest still = run(tank);
-  const double side = tank.liquid.density * tank.gravity * tank.fill_depth * tank.fill_depth / 2;
-  EXPECT_NEAR(still.wall_force_x.at("left").value.back(), -side, 0.01 * side);
-  EXPECT_NEAR(still.wall_force_x.at("right").value.back(), side, 0.01 * side);
-  const double gas_weight =
-      tank.gravity * tank.gas.density * tank.length * (tank.height - tank.fill_depth);
-  EXPECT_NEAR(still.wall_force_z.at("roof").value.back(), -gas_weight / 2,
-              pressure_tolerance * tank.length);
-  EXPECT_NEAR(still.pressure.at("deep").value.back(), still_pressure(tank, 0.12),
-              pressure_tolerance);
-  EXPECT_NEAR(still.pressure.at("wall").value.back(), still_pressure(tank, 0.02),
-              pressure_tolerance);
-  EXPECT_EQ(still.pressure.at("gas").value.back(), 0);
-  EXPECT_NEAR(still.velocity_x.at("deep").value.back(), 0, 1e-4);
-
-  tank = small_tank();
-  tank.loaded_walls = {"left", "right", "bottom", "roof"};
-  const TemporaryDirectory directory;
-  const Harvest moving = run_in(directory, tank);
-  for (std::size_t i = 0; i < moving.force_x.time.size(); ++i) {
-    double x = 0, z = 0;
-    for (const auto& [wall, history] : moving.wall_force_x) x += history.value.at(i);
-    for (const auto& [wall, history] : moving.wall_force_z) z += history.value.at(i);
-    EXPECT_NEAR(x, moving.force_x.value[i], 1e-6 * side);
-    EXPECT_NEAR(z, moving.force_z.value[i], 1e-6 * side);
-  }
 }
 
 // The liquid starts with the tank's velocity. Its momentum then changes by the force of the walls
@@ -125,6 +107,87 @@ TEST_F(RunLoads, ChangeTheMomentum) {
                 gas_weight);
     EXPECT_NEAR(mx, result.momentum_x.value[i + dropped], 0.01 * mass * 0.2) << i;
     EXPECT_NEAR(mz, result.momentum_z.value[i + dropped], 0.1 * 1.78) << i;  // 0.1 of the largest
+  }
+}
+
+// Tanks with obstacles in the installed interFoam.
+
+using RunObstacles = RunCase;
+
+// Returns the largest velocity component [m/s] in a time directory.
+double largest_velocity(const std::filesystem::path& time_directory) {
+  std::string field = contents(time_directory / "U");
+  field = field.substr(0, field.find("boundaryField"));
+  if (field.find("nonuniform") == field.npos) return NAN;
+  field = field.substr(field.find("nonuniform"));
+  const std::regex vector(R"(\((\S+) (\S+) (\S+)\))");
+  double largest = 0;
+  for (std::sregex_iterator at(field.begin(), field.end(), vector), none; at != none; ++at) {
+    for (const int i : {1, 2, 3}) largest = std::max(largest, std::abs(std::stod((*at)[i])));
+  }
+  return largest;
+}
+
+// The obstacles are a step in the corner, a submerged one, two that touch at a corner, one that
+// pierces the surface and one that hangs from the roof.
+SloshingTank crowded_tank() {
+  SloshingTank tank = still_tank();
+  tank.length = 1;
+  tank.height = 0.5;
+  tank.fill_depth = 0.23;  // not on a face of a cell
+  tank.cells_x = 40;
+  tank.cells_z = 20;
+  tank.obstacles = {{0, 0.1, 0, 0.15},      {0.2, 0.3, 0.05, 0.1}, {0.4, 0.45, 0, 0.05},
+                    {0.45, 0.5, 0.05, 0.1}, {0.6, 0.7, 0.15, 0.3}, {0.9, 1, 0.2, 0.5}};
+  tank.gauges = {{"step", 0.05}, {"submerged", 0.25}, {"corner", 0.46}, {"free", 0.55}};
+  return tank;
+}
+
+// A net force at rest would mean that the force leaves out an obstacle's wall; that of the left
+// step alone carries 230 N/m.
+TEST_F(RunObstacles, LeaveStillLiquidStill) {
+  SloshingTank tank = crowded_tank();
+  tank.duration = 0.3;
+  const Harvest result = run(tank);
+  EXPECT_EQ(result.cells, 800 - 24 - 8 - 4 - 4 - 24 - 48);
+  for (const double volume : result.liquid_volume.value) {
+    EXPECT_NEAR(volume / result.liquid_volume.value[0], 1, 1e-10);
+  }
+  for (const auto& [gauge, elevation] : result.elevation) {
+    for (const double value : elevation.value) EXPECT_NEAR(value, 0, 1e-6) << gauge;
+  }
+  for (const double force : result.force_x.value) EXPECT_NEAR(force, 0, 0.01);
+  EXPECT_LT(largest_velocity(directory_.path() / "0.3"), 1e-4);
+}
+
+// The mirrored tank in the mirrored motion must give the mirrored result. A cell in a wrong place
+// or an obstacle's wall left out of the force would break the symmetry.
+TEST_F(RunObstacles, GiveTheSameTurnedRound) {
+  SloshingTank tank = small_tank();
+  tank.duration = 0.3;
+  tank.obstacles = {{0.11, 0.22, 0, 0.26}, {0.99, 1.1, 0.39, 0.52}};
+  tank.gauges = {{"beside", 0.05}, {"over", 0.17}, {"middle", 0.5}};
+  const Harvest result = run(tank);
+  const auto acceleration = tank.acceleration;
+  tank.acceleration = [=](double time) { return -acceleration(time); };
+  tank.initial_relative_velocity *= -1;
+  for (Gauge& gauge : tank.gauges) gauge.x = tank.length - gauge.x;
+  for (Obstacle& obstacle : tank.obstacles) {
+    obstacle = {tank.length - obstacle.right, tank.length - obstacle.left, obstacle.bottom,
+                obstacle.top};
+  }
+  const Harvest turned = run_in(TemporaryDirectory(), tank);
+  for (const auto& [gauge, elevation] : result.elevation) {
+    double highest = 0;
+    for (std::size_t i = 0; i < elevation.value.size(); ++i) {
+      highest = std::max(highest, std::abs(elevation.value[i]));
+      EXPECT_NEAR(elevation.value[i], turned.elevation.at(gauge).value.at(i), 1e-6) << gauge;
+    }
+    EXPECT_GT(highest, 1e-3) << gauge;
+  }
+  const History& force = result.force_x;
+  for (std::size_t i = 0; i < force.value.size(); ++i) {
+    EXPECT_NEAR(force.value[i], -turned.force_x.value.at(i), 0.01);
   }
 }
 

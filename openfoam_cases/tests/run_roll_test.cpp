@@ -55,30 +55,30 @@ History about_mean(History history) {
 TEST_F(RunRoll, TiltsTheSurfaceAgainstASlowRoll) {
   SloshingTank tank = still_tank();
   tank.cells_x = 22;
-  tank.cells_z = 52;
-  tank.duration = 4.85;
+  tank.cells_z = 26;
+  tank.duration = 3.35;
   tank.gauges = {{"left", 0.075}, {"right", 1.025}};  // at columns' centres
   const double angle = 0.1, axis_x = 0.3, axis_z = 0.2;
-  tank.roll = slow_roll(angle, 3.5, axis_x, axis_z);
+  tank.roll = slow_roll(angle, 2, axis_x, axis_z);
   tank.pressure_gauges = gauges_on_both_walls();
   const Harvest result = run(tank);
   const double slope = std::tan(angle), length = tank.length, depth = tank.fill_depth;
   for (const auto& [gauge, x] : {std::pair{"left", -0.475}, {"right", 0.475}}) {
-    EXPECT_NEAR(mean_from(result.elevation.at(gauge), 3.5), -slope * x, 0.03 * 0.05) << gauge;
-    EXPECT_NEAR(mean_from(result.highest_surface.at(gauge), 3.5), -slope * x, 0.15 * 0.025)
+    EXPECT_NEAR(mean_from(result.elevation.at(gauge), 2), -slope * x, 0.03 * 0.05) << gauge;
+    EXPECT_NEAR(mean_from(result.highest_surface.at(gauge), 2), -slope * x, 0.15 * 0.025)
         << gauge;  // of a cell
   }
   const double force_x = -weight(tank) * std::sin(angle);
   const double force_z = -weight(tank) * std::cos(angle);
-  EXPECT_NEAR(mean_from(result.force_x, 3.5), force_x, 1e-3 * std::abs(force_x));
-  EXPECT_NEAR(mean_from(result.force_z, 3.5), force_z, 1e-3 * std::abs(force_z));
+  EXPECT_NEAR(mean_from(result.force_x, 2), force_x, 1e-3 * std::abs(force_x));
+  EXPECT_NEAR(mean_from(result.force_z, 2), force_z, 1e-3 * std::abs(force_z));
   const double x = length / 2 - slope * length * length / (12 * depth);
   const double z = depth / 2 + slope * slope * length * length / (24 * depth);
   const double moment = (x - axis_x) * force_z - (z - axis_z) * force_x;
-  EXPECT_NEAR(mean_from(result.moment, 3.5), moment, 2e-3 * std::abs(moment));
+  EXPECT_NEAR(mean_from(result.moment, 2), moment, 2e-3 * std::abs(moment));
   for (const auto& [gauge, wall_x] : {std::pair{"left", -0.55}, {"right", 0.55}}) {
     const double head = (depth - 0.1 - slope * wall_x) * std::cos(angle);
-    EXPECT_NEAR(mean_from(result.wall_pressure.at(gauge), 3.5),
+    EXPECT_NEAR(mean_from(result.wall_pressure.at(gauge), 2),
                 tank.gravity * tank.liquid.density * head, 10)
         << gauge;  // of which 6 Pa are the gas
   }
@@ -91,7 +91,7 @@ TEST_F(RunRoll, TiltsTheSurfaceAgainstASlowRoll) {
 TEST_F(RunRoll, AboutAFarAxisIsARollAndASurge) {
   SloshingTank tank = still_tank();
   const double amplitude = 0.01, omega = 3, arm = 2, x = tank.length / 2, z = tank.height / 2;
-  tank.duration = 1.5;
+  tank.duration = 1;
   tank.pressure_gauges = gauges_on_both_walls();
   tank.roll = harmonic_roll(amplitude, omega, x, z - arm);
   const Harvest far = run(tank);
@@ -102,8 +102,7 @@ TEST_F(RunRoll, AboutAFarAxisIsARollAndASurge) {
     return -arm * (roll.acceleration(t) * std::cos(roll.angle(t)) -
                    std::pow(roll.rate(t), 2) * std::sin(roll.angle(t)));
   };
-  TemporaryDirectory near_directory;
-  const Harvest near = run_in(near_directory, tank);
+  const Harvest near = run_in(TemporaryDirectory(), tank);
   History moment = near.moment;  // moved to the far axis
   for (std::size_t i = 0; i < moment.value.size(); ++i) {
     moment.value[i] -= arm * near.force_x.value[i];
@@ -142,8 +141,7 @@ TEST_F(RunRoll, SetOffAtOnceIsTheLimitOfAFastStart) {
     const double s = t / rise;
     return s < 1 ? start_rate / rise * 6 * s * (1 - s) : at_once.acceleration(t - rise / 2);
   };
-  TemporaryDirectory ramp_directory;
-  const Harvest ramp = run_in(ramp_directory, tank);
+  const Harvest ramp = run_in(TemporaryDirectory(), tank);
   for (const char* gauge : {"left", "right"}) {
     History late = ramp.elevation.at(gauge), early = earth.elevation.at(gauge);
     late.time.erase(late.time.begin());  // half the rise is one sample
@@ -153,33 +151,6 @@ TEST_F(RunRoll, SetOffAtOnceIsTheLimitOfAFastStart) {
     // The difference is 0.005, or 0.009 if the first step, whose flux is not known, is as long as
     // the others.
     EXPECT_LT(relative_difference(early, late), 0.007) << gauge;
-  }
-}
-
-TEST_F(RunRoll, GivesTheSameOnTwoProcessesAsOnOne) {
-  SloshingTank tank = still_tank();
-  tank.duration = 0.04;
-  tank.roll = harmonic_roll(0.1, 3, 0.4, 0.65);
-  tank.roll->initial_relative_rate = -0.3;
-  tank.pressure_gauges = gauges_on_both_walls();
-  tank.snapshot_times = {0.02};
-  const Harvest serial = run(tank);
-  tank.processes = 2;
-  TemporaryDirectory parallel_directory;
-  const Harvest parallel = run_in(parallel_directory, tank);
-  for (const char* wall : {"left", "right"}) {
-    const History& one = serial.wall_pressure.at(wall);
-    const History& two = parallel.wall_pressure.at(wall);
-    ASSERT_EQ(one.time.size(), two.time.size());
-    for (std::size_t i = 0; i < one.time.size(); ++i) EXPECT_NEAR(one.value[i], two.value[i], 0.1);
-  }
-  const FieldSnapshot &one = serial.snapshots.at(0), &two = parallel.snapshots.at(0);
-  ASSERT_EQ(two.x.size(), 200u);
-  for (std::size_t cell = 0; cell < one.x.size(); ++cell) {
-    EXPECT_NEAR(one.velocity_x[cell], two.velocity_x[cell], 1e-4);
-    EXPECT_NEAR(one.velocity_z[cell], two.velocity_z[cell], 1e-4);
-    EXPECT_NEAR(one.pressure[cell], two.pressure[cell], 0.1);
-    EXPECT_NEAR(one.liquid_share[cell], two.liquid_share[cell], 1e-6);
   }
 }
 

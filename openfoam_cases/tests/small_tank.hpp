@@ -10,6 +10,7 @@
 #include <string>
 
 #include "openfoam_cases/sloshing_tank.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::openfoam {
 
@@ -65,16 +66,5 @@ class TemporaryDirectory {
  private:
   std::filesystem::path path_;
 };
-
-// Returns the message of the Error that `action` throws; empty where it throws none.
-template <typename Error, typename Action>
-std::string message_of(Action action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 }  // namespace slosh::openfoam

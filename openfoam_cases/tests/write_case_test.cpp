@@ -270,65 +270,6 @@ TEST_F(WrittenCase, WritesTheFieldsOnceAtEachSnapshotsTime) {
   EXPECT_LT(std::stod(entry(control, "timeEnd")), 1.6);
 }
 
-// What makes a tank impossible, and what is said of it.
-struct Impossible {
-  void (*change)(SloshingTank&);
-  const char* said;
-};
-#define TANK(said, ...)                        \
-  Impossible {                                 \
-    [](SloshingTank& t) { __VA_ARGS__; }, said \
-  }
-#define ROLL(said, ...) TANK(said, t.roll = harmonic_roll(0.1, 2, 0.5, 0); __VA_ARGS__)
-
-TEST_F(WrittenCase, RefusesATankThatCannotBe) {
-  const Impossible tanks[] = {
-    TANK("OpenFOAM tank: fill_depth = 1.4: expected less than the height of 1.3 m",
-         t.fill_depth = 1.4),
-    TANK("OpenFOAM tank: length = nan: expected a positive number of m", t.length = NAN),
-    TANK("gap_friction = -1", t.gap_friction = -1),
-    TANK("gap_friction = 1: expected zero", t.gap_friction = 1; t.liquid.kinematic_viscosity = 0),
-    TANK("gauge x", t.gauges[0].x = 1.2),
-    TANK("two gauges", t.gauges[0].name = "left"),
-    TANK("courant_number = 1.1: expected above 0 and at most 1", t.courant_number = 1.1),
-    TANK("interface_courant_number = nan", t.interface_courant_number = NAN),
-    TANK("outer_corrections = 0", t.outer_corrections = 0),
-    TANK("processes", t.processes = 21),
-    TANK(
-        "acceleration", t.acceleration = [](double time) { return time > 0.5 ? NAN : 0; }),
-    TANK("column_width = 1.1", t.column_width = 1.1),
-    TANK("obstacle left = 0.1", t.obstacles = {{0.1, 0.22, 0, 0.13}}),
-    TANK("gauge x = 1.05: expected a place where the obstacles leave room",
-         t.obstacles = {{0.99, 1.1, 0, 1.3}}),
-    TANK("liquid volume", t.column_width = 0.11; t.obstacles = {{0, 0.22, 0, 0.52}}),
-    TANK("column_width = 0.5: expected a bottom", t.column_width = 0.5;
-         t.obstacles = {{0, 1.1, 0, 0.13}}),
-    ROLL("roll axis x = inf: expected a finite place in m", t.roll->axis_x = INFINITY),
-    ROLL("roll axis z = nan", t.roll->axis_z = NAN),
-    ROLL("rate = nan", t.roll->initial_relative_rate = NAN),
-    ROLL(
-        "roll angle = nan", t.roll->angle = [](double time) { return time > 0.5 ? NAN : 0; }),
-    TANK("pressure gauge position = 1.31",
-         t.pressure_gauges = {{"high", PressureGauge::Wall::left, 1.31, 0}}),
-    TANK("two pressure gauges are named \"one\"",
-         t.pressure_gauges = {{"one", PressureGauge::Wall::left, 0.1, 0},
-                              {"one", PressureGauge::Wall::right, 0.1, 0}}),
-    TANK("snapshot time = 1.01: expected above 0 and at most the duration of 1 s",
-         (t.snapshot_times = {0.5, 1.01})),
-    TANK("snapshot time = 0:", t.snapshot_times = {0}),
-    TANK("snapshot time = nan", t.snapshot_times = {NAN})
-  };
-  for (const Impossible& one : tanks) {
-    SloshingTank tank = small_tank();
-    one.change(tank);
-    EXPECT_TRUE(holds(message_of<std::invalid_argument>([&] { write(tank); }), one.said));
-  }
-  EXPECT_TRUE(fs::is_empty(directory_.path())) << "a refused tank leaves nothing behind";
-}
-
-#undef TANK
-#undef ROLL
-
 TEST_F(WrittenCase, RefusesADirectoryWithAnEarlierRunInIt) {
   write(small_tank());
   EXPECT_TRUE(

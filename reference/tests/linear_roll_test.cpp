@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "reference/stokes_joukowski.hpp"
-#include "reference/tests/li_tank.hpp"
 #include "reference/tests/mode_by_odeint.hpp"
+#include "reference/tests/paper_tanks.hpp"
 #include "reference/tests/quadrature.hpp"
-#include "reference/tests/zhao_tank.hpp"
 
 namespace slosh::reference::linear_roll_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reference/potential_flow/nonlinear_potential_flow.hpp"
-#include "reference/tests/li_tank.hpp"
+#include "reference/tests/paper_tanks.hpp"
 
 namespace slosh::reference {
 

@@ -6,7 +6,7 @@
 #include "reference/potential_flow/legendre_grid.hpp"
 #include "reference/standing_wave.hpp"
 #include "reference/tests/nonlinear_cases.hpp"
-#include "reference/tests/zhao_tank.hpp"
+#include "reference/tests/paper_tanks.hpp"
 
 namespace slosh::reference::nonlinear_potential_flow_test {
 namespace {

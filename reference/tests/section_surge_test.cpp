@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "reference/linear_surge.hpp"
-#include "reference/tests/li_tank.hpp"
+#include "reference/tests/paper_tanks.hpp"
 #include "reference/tests/sections.hpp"
 
 namespace slosh::reference::section_surge_test {

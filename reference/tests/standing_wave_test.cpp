@@ -6,8 +6,11 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
-#include "reference/tests/li_tank.hpp"
+#include "reference/linear_surge.hpp"
+#include "reference/potential_flow/tank_motion.hpp"
+#include "reference/tests/paper_tanks.hpp"
 #include "reference/tests/quadrature.hpp"
 
 namespace slosh::reference::standing_wave_test {
@@ -111,6 +114,119 @@ TEST(StandingWave, RefusesWhatIsImpossible) {
   EXPECT_THROW(wave.pressure(0, -0.36, 0), std::invalid_argument);
   EXPECT_THROW(wave.velocity(0, 0.1, 0), std::invalid_argument);
   EXPECT_THROW(wave.horizontal_force(nan), std::invalid_argument);
+}
+
+// Published tanks of Li et al. 2010, SPHERIC benchmark 10, and Akyildiz & Unal 2006. Frequencies
+// are in rad/s, periods in s.
+TEST(NaturalFrequency, GivesTheFirstModeOfThePublishedTanks) {
+  const auto omega = [](double length, double depth) {
+    return natural_frequency({length, depth, 9.81, 1000}, 1);
+  };
+  const auto period = [&](double length, double depth) {
+    return 2 * std::numbers::pi / omega(length, depth);
+  };
+  EXPECT_NEAR(omega(1.0, 0.35), 4.96646, 5e-6);
+  EXPECT_NEAR(omega(0.9, 0.093), 3.27746, 5e-6);
+  EXPECT_NEAR(omega(0.92, 0.465), 5.55095, 5e-6);
+  EXPECT_NEAR(period(1.0, 0.35), 1.26512, 5e-6);
+  EXPECT_NEAR(period(0.9, 0.093), 1.91709, 5e-6);
+  EXPECT_NEAR(period(0.92, 0.465), 1.13191, 5e-6);
+}
+
+TEST(NaturalFrequency, ApproachesDeepAndShallowWater) {
+  const double k = std::numbers::pi;
+  EXPECT_NEAR(natural_frequency({1, 50, 9.81, 1000}, 1), std::sqrt(9.81 * k), 1e-12);
+  EXPECT_NEAR(natural_frequency({1, 1e-5, 9.81, 1000}, 1), k * std::sqrt(9.81 * 1e-5), 1e-10);
+}
+
+// Air of 1.2 kg/m3 over 0.65 m lowers the first mode of Li's tank by 0.11 %.
+TEST(NaturalFrequency, IsLoweredByTheAirAbove) {
+  const double alone = natural_frequency(li_tank, 1);
+  EXPECT_NEAR(natural_frequency(li_tank, {.density = 1.2, .height = 0.65}, 1) / alone - 1, -0.0011,
+              5e-6);
+  EXPECT_DOUBLE_EQ(natural_frequency(li_tank, {.density = 0, .height = 0.65}, 1), alone);
+}
+
+TEST(NaturalFrequency, RefusesWhatIsImpossible) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(natural_frequency({0, 0.35, 9.81, 1000}, 1), std::invalid_argument);
+  EXPECT_THROW(natural_frequency({1, nan, 9.81, 1000}, 1), std::invalid_argument);
+  EXPECT_THROW(natural_frequency({1, 0.35, -9.81, 1000}, 1), std::invalid_argument);
+  EXPECT_THROW(natural_frequency(li_tank, 0), std::invalid_argument);
+  EXPECT_THROW(natural_frequency(li_tank, {.density = 1000, .height = 0.65}, 1),
+               std::invalid_argument);
+  EXPECT_THROW(natural_frequency(li_tank, {.density = 1.2, .height = nan}, 1),
+               std::invalid_argument);
+}
+
+// A surge of 0.3 sin(2 t) and a roll of 0.8 sin(t) about (0.1, -0.2).
+TankMotion swing() {
+  return {.surge_velocity = [](double t) { return 0.6 * std::cos(2 * t); },
+          .surge_acceleration = [](double t) { return -1.2 * std::sin(2 * t); },
+          .angle = [](double t) { return 0.8 * std::sin(t); },
+          .rate = [](double t) { return 0.8 * std::cos(t); },
+          .roll_acceleration = [](double t) { return -0.8 * std::sin(t); },
+          .axis_x = 0.1,
+          .axis_z = -0.2};
+}
+
+struct Point {
+  double x, z;
+};
+
+// Returns the place of a point of the tank in the earth's frame.
+Point in_the_earth(double x, double z, double t) {
+  const double theta = 0.8 * std::sin(t), dx = x - 0.1, dz = z + 0.2;
+  return {0.1 + 0.3 * std::sin(2 * t) + dx * std::cos(theta) - dz * std::sin(theta),
+          -0.2 + dx * std::sin(theta) + dz * std::cos(theta)};
+}
+
+// The error of the central differences is 2e-9.
+TEST(TankMotion, MovesThePointsOfTheTankAlongItsAxes) {
+  const double t = 0.7, x = -0.4, z = -0.3, d = 1e-5;
+  const TankPlace now = place(swing(), t);
+  const Point before = in_the_earth(x, z, t - d), after = in_the_earth(x, z, t + d);
+  const double vx = (after.x - before.x) / (2 * d), vz = (after.z - before.z) / (2 * d);
+  EXPECT_NEAR(now.velocity.along_x(z), vx * std::cos(now.angle) + vz * std::sin(now.angle), 1e-8);
+  EXPECT_NEAR(now.velocity.along_z(x), -vx * std::sin(now.angle) + vz * std::cos(now.angle), 1e-8);
+  EXPECT_NEAR(now.height(x, z), in_the_earth(x, z, t).z, 1e-15);
+}
+
+TEST(TankMotion, GivesTheRateOfTheVelocityAtPointsFixedInTheTank) {
+  const double t = 0.7, x = -0.4, z = -0.3, d = 1e-5;
+  const TankPlace now = place(swing(), t), before = place(swing(), t - d),
+                  after = place(swing(), t + d);
+  EXPECT_NEAR(now.acceleration.along_x(z),
+              (after.velocity.along_x(z) - before.velocity.along_x(z)) / (2 * d), 1e-8);
+  EXPECT_NEAR(now.acceleration.along_z(x),
+              (after.velocity.along_z(x) - before.velocity.along_z(x)) / (2 * d), 1e-8);
+}
+
+TEST(TankMotion, StandsStillWithoutFunctions) {
+  const TankPlace now = place({}, 3);
+  EXPECT_EQ(now.angle, 0);
+  EXPECT_EQ(now.velocity.along_x(1), 0);
+  EXPECT_EQ(now.acceleration.along_z(1), 0);
+  EXPECT_EQ(now.height(0.3, -0.1), -0.1);
+}
+
+TEST(TankMotion, RefusesHalfAMotionAndWhatIsNotFinite) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  TankMotion half = swing(), adrift = swing(), lost = swing();
+  half.surge_acceleration = nullptr;
+  EXPECT_THROW(place(half, 0), std::invalid_argument);
+  half = swing();
+  half.rate = nullptr;
+  EXPECT_THROW(place(half, 0), std::invalid_argument);
+  adrift.axis_z = nan;
+  EXPECT_THROW(place(adrift, 0), std::invalid_argument);
+  lost.rate = [=](double) { return nan; };
+  try {
+    place(lost, 0.5);
+    FAIL() << "a NaN rate was accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "TankMotion: rate at 0.5 s = nan, expected a finite value");
+  }
 }
 
 }  // namespace

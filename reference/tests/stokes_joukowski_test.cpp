@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include "reference/tests/paper_tanks.hpp"
 #include "reference/tests/quadrature.hpp"
-#include "reference/tests/zhao_tank.hpp"
 
 namespace slosh::reference::stokes_joukowski_test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "sph/restart/saved_state.hpp"
 #include "sph/scheme.hpp"
-#include "sph/tests/rolling_scene.hpp"
+#include "sph/tests/surging_scene.hpp"
 #include "verification/tests/messages.hpp"
 
 namespace slosh::sph::coarse_run_test {

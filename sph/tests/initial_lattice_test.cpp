@@ -4,11 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
+#include <vector>
 
+#include "sph/scheme.hpp"
+#include "sph/schemes.hpp"
+#include "sph/start/initial_surface.hpp"
 #include "sph/terms/equation_of_state.hpp"
 #include "sph/tests/surging_scene.hpp"
 #include "sph/walls/obstacle_contact.hpp"
+#include "verification/tests/messages.hpp"
 
 namespace slosh::sph::initial_lattice_test {
 namespace {
@@ -176,13 +182,72 @@ TEST(InitialLattice, LeavesOutWhatObstaclesTake) {
 TEST(InitialLattice, RefusesAColumnThatIsNoWholeNumberOfParticlesWide) {
   Scene scene = dam_scene(0.025, 0);
   scene.column_width = 0.062;
-  try {
-    initial_lattice(scene, incompressible);
-    FAIL() << "two and a half particles were let pass";
-  } catch (const std::invalid_argument& error) {
-    for (const char* part : {"particle_spacing = 0.025 m", "expected", "column's width of 0.062 m"})
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  const std::string refusal =
+      message_of<std::invalid_argument>([&] { initial_lattice(scene, incompressible); });
+  for (const char* part : {"particle_spacing = 0.025 m", "expected", "column's width of 0.062 m"})
+    EXPECT_TRUE(slosh::holds(refusal, part));
+}
+
+constexpr double pi = std::numbers::pi;
+
+Scene waved_scene(int mode, double amplitude, double spacing = 0.025, double duration = 0) {
+  Scene scene = still_scene(spacing, duration);
+  scene.initial_wave = InitialWave{mode, amplitude};
+  return scene;
+}
+
+const Scheme<Recommended>& scheme() {
+  static const Scheme<Recommended> scheme(still_scene(0.025, 0));
+  return scheme;
+}
+double density_at(double pressure) { return scheme().state.density(pressure); }
+
+TEST(InitialSurface, IsACosineFromTheLeftWallAndLevelWithoutAWave) {
+  const InitialSurface wave(waved_scene(3, 0.02)), level(still_scene(0.025, 0));
+  for (const double x : {0.0, 0.2, 0.5, 1.0}) {
+    EXPECT_NEAR(wave.height(x), 0.35 + 0.02 * std::cos(3 * pi * x), 1e-15);
+    EXPECT_EQ(level.height(x), 0.35);
+    EXPECT_NEAR(wave.pressure(x, 0.1), 1000 * 9.81 * (wave.height(x) - 0.1), 1e-10);
   }
+  EXPECT_EQ(level.mean_height(0.1, 0.3), 0.35);
+  const double integral = 0.02 * (std::sin(3 * pi * 0.3) - std::sin(3 * pi * 0.1)) / (3 * pi);
+  EXPECT_NEAR(wave.mean_height(0.1, 0.3), 0.35 + integral / 0.2, 1e-15);
+}
+
+TEST(InitialSurface, RefusesAWaveThatTheTankCannotHold) {
+  for (const double amplitude : {0.35, -0.4, 0.7, std::nan("")})
+    EXPECT_THROW(InitialSurface{waved_scene(1, amplitude)}, std::invalid_argument) << amplitude;
+  for (const int mode : {0, -1})
+    EXPECT_THROW(InitialSurface{waved_scene(mode, 0.02)}, std::invalid_argument);
+  Scene dam = waved_scene(1, 0.02), baffled = dam;
+  dam.column_width = 0.5;
+  baffled.obstacles = {{0.4, 0.6, 0, 0.1}};
+  EXPECT_THROW(InitialSurface{dam}, std::invalid_argument);
+  EXPECT_THROW(InitialSurface{baffled}, std::invalid_argument);
+}
+
+TEST(InitialLattice, FillsEveryColumnUpToTheWaveExactly) {
+  for (const int mode : {1, 2, 5})
+    for (const double spacing : {0.05, 0.025, 0.01}) {
+      const Scene scene = waved_scene(mode, 0.02, spacing);
+      const Particles p = initial_lattice(scene, density_at);
+      double volume = 0, first_column = 0;
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        volume += p.mass[i] / p.density[i];
+        if (p.x[i] < spacing) first_column += p.mass[i] / p.density[i];
+      }
+      EXPECT_NEAR(volume, 0.35, 1e-13) << mode << " " << spacing;
+      EXPECT_NEAR(first_column / spacing, InitialSurface(scene).mean_height(0, spacing), 1e-13);
+    }
+}
+
+TEST(InitialLattice, CarriesTheHydrostaticPressureUnderTheWave) {
+  const Scene scene = waved_scene(1, 0.02);
+  const Particles p = initial_lattice(scene, density_at);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    EXPECT_NEAR(scheme().state.pressure(p.density[i]),
+                1000 * 9.81 * (0.35 + 0.02 * std::cos(pi * p.x[i]) - p.z[i]), 1e-7);
+  EXPECT_LT(flattest_cell(lattice_of_volumes(scene)), 1 - 0.9 * 0.02 / 0.35);
 }
 
 }  // namespace

@@ -102,10 +102,39 @@ TEST(Projected, KeepsTheParticlesVolumesAndItsVelocityHasNoDivergence) {
   EXPECT_LE(compression(from_projected), 0.02 * compression(from_rest));
 }
 
-TEST(Projected, IsRefusedForWallsWithADensityOfTheirOwn) {
-  Scene scene = surging_scene(0.025, 0.1);
-  scene.variant = "dynamic_walls";
-  EXPECT_THROW(run_from(InitialState::projected, scene), std::invalid_argument);
+// Linear theory's pressure at the moment of release, cosh(k z) / cosh(k h) of the surface's. The
+// mean over the liquid is left out: it is still water's own error, a tenth of a spacing of depth.
+TEST(Projected, FindsTheDepthProfileOfAWavesPressure) {
+  Scene scene = still_scene(0.0125, 1);
+  scene.initial_wave = InitialWave{2, 0.02};
+  const Scheme<Recommended> own(scene);
+  const Method method = method_of(own);
+  const Particles state = projected(scene, method, start_lattice(scene, method));
+  const double k = 2 * std::numbers::pi, weight = 1000 * 9.81;
+  // The still liquid grows heavier with the depth.
+  const auto still_pressure = [&, &numbers = own.setting](double depth) {
+    const double compression = 9.81 * depth / std::pow(numbers.speed_of_sound, 2);
+    return numbers.rest_density * 9.81 * depth * (1 + compression / 2);
+  };
+  std::vector<double> above_still, wave, hydrostatic;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    EXPECT_NEAR(std::hypot(state.velocity_x[i], state.velocity_z[i]), 0, 1e-12);
+    if (state.z[i] > 0.25) continue;
+    above_still.push_back(own.state.pressure(state.density[i]) - still_pressure(0.35 - state.z[i]));
+    hydrostatic.push_back(weight * 0.02 * std::cos(k * state.x[i]));
+    wave.push_back(hydrostatic.back() * std::cosh(k * state.z[i]) / std::cosh(k * 0.35));
+  }
+  const double mean = std::accumulate(above_still.begin(), above_still.end(), 0.0) /
+                      static_cast<double>(above_still.size());
+  EXPECT_LE(std::abs(mean), 0.15 * 0.0125 * weight);
+  double error2 = 0, hydrostatic_error2 = 0, wave2 = 0;
+  for (std::size_t i = 0; i < wave.size(); ++i) {
+    error2 += std::pow(above_still[i] - mean - wave[i], 2);
+    hydrostatic_error2 += std::pow(hydrostatic[i] - wave[i], 2);
+    wave2 += wave[i] * wave[i];
+  }
+  EXPECT_LE(std::sqrt(error2 / wave2), 0.2);
+  EXPECT_GE(std::sqrt(hydrostatic_error2 / wave2), 1);
 }
 
 double largest_kinetic_energy(InitialState start) {
@@ -168,15 +197,6 @@ TEST(Settled, KeepsTheMassOfDisorderedParticles) {
   EXPECT_NEAR(mass(rest), mass(start), 1e-9 * mass(start));
 }
 
-TEST(StartRotation, IsRefusedWhereRowsWouldNotComeToRest) {
-  Scene scene = still_scene(0.05, 0.1);
-  scene.start_rotation = 0.35;
-  EXPECT_THROW(run("recommended", scene, {}), std::invalid_argument);
-  scene.initial_state = InitialState::settled;
-  scene.obstacles = {{0.4, 0.6, 0, 0.1}};
-  EXPECT_THROW(run("recommended", scene, {}), std::invalid_argument);
-}
-
 TEST(PerturbSymmetrically, MovesBothHalvesOfTheTankAlike) {
   Particles p = initial_lattice(still_scene(0.025, 0), [](double) { return 1000.0; });
   const Particles before = p;
@@ -205,7 +225,6 @@ TEST(StartDisorder, MakesRepeatsThatDifferAndTheSameOneAgain) {
   EXPECT_NE(one, none);
   // The wave is 4 mm high by then, and the disorder 0.5 mm.
   EXPECT_NEAR(one.back(), none.back(), 5e-4);
-  EXPECT_THROW(elevation(0.3, 1), std::invalid_argument);
 }
 
 // A quarter of a period after its release the wave passes the still level.

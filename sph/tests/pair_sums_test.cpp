@@ -103,43 +103,13 @@ std::vector<InstructionSet> instruction_sets() {
 }
 
 template <class Choice>
-class PairSums : public testing::Test {
- protected:
-  void expect_the_sums_over_all_pairs(Particles particles, const TankWalls& walls) {
-    Neighbourhood<Choice> neighbourhood(walls);
-    ASSERT_TRUE(neighbourhood.rebuild(particles, walls, 0));
-    const Rates expected = neighbourhood.all_pairs(particles, walls).rates();
-    for (const InstructionSet set : instruction_sets())
-      EXPECT_LE(disagreement(neighbourhood.rates(particles, walls, set), expected), round_off);
-  }
-
-  // By how much the sums over lists that were made for steps of `dt`, before the particles moved,
-  // differ from those over all pairs. Each particle moves by `distance` against the tank, in a
-  // direction of its own, while the tank itself moves on.
-  double disagreement_after_moving(double distance, double dt) {
-    Particles particles = full_tank(moving_tank);
-    Neighbourhood<Choice> neighbourhood(moving_tank);
-    neighbourhood.rebuild(particles, moving_tank, dt);
-    TankWalls walls = moving_tank;
-    walls.left += 0.05;
-    walls.right += 0.05;
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      particles.x[i] += 0.05 + distance * std::cos(2.4 * static_cast<double>(i));
-      particles.z[i] += distance * std::sin(2.4 * static_cast<double>(i));
-    }
-    const NeighbourSources& sources = neighbourhood.sources;
-    EXPECT_EQ(sources.stale(particles, walls, 0), !(distance < sources.slack()));
-    return disagreement(neighbourhood.rates(particles, walls),
-                        neighbourhood.all_pairs(particles, walls).rates());
-  }
-
-  double slack_for_steps_of(double dt) {
-    Particles particles = full_tank(moving_tank);
-    Neighbourhood<Choice> neighbourhood(moving_tank);
-    neighbourhood.rebuild(particles, moving_tank, dt);
-    return neighbourhood.sources.slack();
-  }
-};
+void expect_the_sums_over_all_pairs(Particles particles) {
+  Neighbourhood<Choice> neighbourhood(moving_tank);
+  ASSERT_TRUE(neighbourhood.rebuild(particles, moving_tank, 0));
+  const Rates expected = neighbourhood.all_pairs(particles, moving_tank).rates();
+  for (const InstructionSet set : instruction_sets())
+    EXPECT_LE(disagreement(neighbourhood.rates(particles, moving_tank, set), expected), round_off);
+}
 
 // All but the variants whose difference is not in the sums: the integrators.
 using Choices =
@@ -149,14 +119,25 @@ using Choices =
                    WithLaminarViscosity, WithoutDiffusion, WithMolteniColagrossi, WithAntuono,
                    WithStickingWalls, WithRepulsiveWalls, WithGhostWalls, WithStickingGhostWalls,
                    WithDynamicWalls>;
+using ChoicesWithObstacles =
+    testing::Types<Recommended, DeltaSph, WithWendlandC6, WithAntuono, WithStickingWalls,
+                   WithGhostWalls, WithStickingGhostWalls, WithDynamicWalls>;
+
+template <class Choice>
+class PairSums : public testing::Test {};
 TYPED_TEST_SUITE(PairSums, Choices);
 
-TYPED_TEST(PairSums, AreThoseOverAllPairsInATankAtRest) {
-  this->expect_the_sums_over_all_pairs(full_tank(tank_at_rest), tank_at_rest);
+TYPED_TEST(PairSums, AreThoseOverAllPairsInAMovingAndAcceleratingTank) {
+  expect_the_sums_over_all_pairs<TypeParam>(full_tank(moving_tank));
 }
 
-TYPED_TEST(PairSums, AreThoseOverAllPairsInAMovingAndAcceleratingTank) {
-  this->expect_the_sums_over_all_pairs(full_tank(moving_tank), moving_tank);
+// Few particles a row: the vectors that read a run of them reach far past its end, and the end of
+// one row stands beside the beginning of the next.
+TYPED_TEST(PairSums, AreThoseOverAllPairsInASplashAndForOneParticleAlone) {
+  expect_the_sums_over_all_pairs<TypeParam>(splashed_tank(moving_tank));
+  DisorderedLiquid liquid(moving_tank);
+  liquid.add(0.004, 0.15, spacing);
+  expect_the_sums_over_all_pairs<TypeParam>(liquid.particles);
 }
 
 // An upright plate on the bottom, one spacing thick. The sums are exact, although the particles of
@@ -207,21 +188,17 @@ int hidden_by_plate(Vector2 from, Vector2 to) {
   return to_is_low && to.x < 0.11 ? 1 : -1;
 }
 
-using ChoicesWithObstacles =
-    testing::Types<Recommended, DeltaSph, WithWendlandC6, WithAntuono, WithStickingWalls,
-                   WithGhostWalls, WithStickingGhostWalls, WithDynamicWalls>;
 template <class Choice>
 class PairSumsBesideAPlate : public testing::Test {};
 TYPED_TEST_SUITE(PairSumsBesideAPlate, ChoicesWithObstacles);
 
 TYPED_TEST(PairSumsBesideAPlate, AreThoseOverAllPairsThatThePlateDoesNotHide) {
-  for (const TankWalls& walls : {tank_at_rest, moving_tank}) {
-    BesideAPlate<TypeParam> beside(walls);
-    const Rates expected = beside.expected(hidden_by_plate);
-    for (const InstructionSet set : instruction_sets())
-      EXPECT_LE(disagreement(beside.neighbourhood.rates(beside.particles, walls, set), expected),
-                round_off);
-  }
+  BesideAPlate<TypeParam> beside(moving_tank);
+  const Rates expected = beside.expected(hidden_by_plate);
+  for (const InstructionSet set : instruction_sets())
+    EXPECT_LE(
+        disagreement(beside.neighbourhood.rates(beside.particles, moving_tank, set), expected),
+        round_off);
 }
 
 // Shows that the test above can fail: the plate's left face is left out.
@@ -234,27 +211,41 @@ TYPED_TEST(PairSumsBesideAPlate, DifferWhereOneFaceHidesNothing) {
   EXPECT_GT(disagreement(beside.neighbourhood.rates(beside.particles, tank_at_rest), wrong), 1e-3);
 }
 
-// Few particles a row: the vectors that read a run of them reach far past its end, and the end of
-// one row stands beside the beginning of the next.
-TYPED_TEST(PairSums, AreThoseOverAllPairsInASplash) {
-  this->expect_the_sums_over_all_pairs(splashed_tank(moving_tank), moving_tank);
-}
+// The lists know the kernel's support, the images and the solids of a scheme, and none of its
+// terms.
+template <class Choice>
+class ListsOf : public testing::Test {
+ protected:
+  // By how much the sums over lists that were made for steps of `dt`, before the particles moved,
+  // differ from those over all pairs. Each particle moves by nearly the slack of lists for steps of
+  // `of_slack` against the tank, in a direction of its own, while the tank itself moves on.
+  double disagreement_after_moving(double of_slack, double dt) {
+    Particles particles = full_tank(moving_tank);
+    Neighbourhood<Choice> neighbourhood(moving_tank);
+    neighbourhood.rebuild(particles, moving_tank, of_slack);
+    const double distance = 0.99 * neighbourhood.sources.slack();
+    neighbourhood.rebuild(particles, moving_tank, dt);
+    TankWalls walls = moving_tank;
+    walls.left += 0.05;
+    walls.right += 0.05;
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      particles.x[i] += 0.05 + distance * std::cos(2.4 * static_cast<double>(i));
+      particles.z[i] += distance * std::sin(2.4 * static_cast<double>(i));
+    }
+    const NeighbourSources& sources = neighbourhood.sources;
+    EXPECT_EQ(sources.stale(particles, walls, 0), !(distance < sources.slack()));
+    return disagreement(neighbourhood.rates(particles, walls),
+                        neighbourhood.all_pairs(particles, walls).rates());
+  }
+};
+using Supports = testing::Types<Recommended, DeltaSph, Li2010, WithGhostWalls>;
+TYPED_TEST_SUITE(ListsOf, Supports);
 
-TYPED_TEST(PairSums, AreThoseOverAllPairsForOneParticleAlone) {
-  DisorderedLiquid liquid(moving_tank);
-  liquid.add(0.004, 0.15, spacing);
-  this->expect_the_sums_over_all_pairs(liquid.particles, moving_tank);
-}
-
-TYPED_TEST(PairSums, HoldWithoutARebuildUntilAParticleHasMovedByTheSlack) {
+// The last shows that it can fail: the same motion over lists made for shorter steps.
+TYPED_TEST(ListsOf, HoldWithoutARebuildUntilAParticleHasMovedByTheSlack) {
   for (const double dt : {2e-4, 1e-3})
-    EXPECT_LE(this->disagreement_after_moving(0.99 * this->slack_for_steps_of(dt), dt), round_off)
-        << dt;
-}
-
-// Shows that the test above can fail: the same motion over lists made for shorter steps.
-TYPED_TEST(PairSums, LoseNeighboursOfParticlesThatMovedFartherThanTheSlack) {
-  EXPECT_GT(this->disagreement_after_moving(0.99 * this->slack_for_steps_of(1e-3), 0), 1e-9);
+    EXPECT_LE(this->disagreement_after_moving(dt, dt), round_off) << dt;
+  EXPECT_GT(this->disagreement_after_moving(1e-3, 0), 1e-9);
 }
 
 // The density of dynamic particles after a step: its own continuity equation, not below rest.

@@ -1,4 +1,3 @@
-// The ribbons of time histories, on histories whose differences fall with a known order.
 #include "verification/evidence/history_uncertainty.hpp"
 
 #include <gtest/gtest.h>
@@ -7,8 +6,11 @@
 
 #include "reports/figures/case_figures.hpp"
 #include "verification/case/quantities.hpp"
+#include "verification/evidence/run_cost.hpp"
 #include "verification/runs/run_case.hpp"
 #include "verification/tests/figure_results.hpp"
+#include "verification/tests/messages.hpp"
+#include "verification/tests/sample_case.hpp"
 
 namespace slosh::history_uncertainty_test {
 namespace {
@@ -112,7 +114,7 @@ TEST(MainHistory, HasARibbonAboutTheRunThatHasCoarserOnesAndShadesWhatIsNotCompa
   EXPECT_NEAR(curve.upper[250] - curve.y[250], half, 1e-9);
   EXPECT_NEAR(curve.y[250] - curve.lower[250], half, 1e-9);
   EXPECT_TRUE(figure.curves.at(0).lower.empty());
-  EXPECT_NE(figure.caption.find("Ribbons around solvers"), std::string::npos);
+  EXPECT_TRUE(holds(figure.caption, "Ribbons around solvers"));
   ASSERT_EQ(figure.spans.size(), 1u);  // the window ends with the case
   EXPECT_EQ(figure.spans[0].begin, 0);
   EXPECT_EQ(figure.spans[0].end, 1);
@@ -125,6 +127,62 @@ TEST(ResidualFigure, HasTheAxisOfWhatIsCompared) {
   const reports::Figure figure = figure_of(assessment, "residual");
   EXPECT_EQ(figure.x_range, (std::pair{1.0, 19.0}));
   EXPECT_TRUE(figure.spans.empty());
+}
+
+TEST(LeftOutAsCompiling, IsToldOfTheRunWithTheLargestShareAndDoubtfulAboveOneHalf) {
+  CaseDefinition definition = sample_case();
+  CaseRuns runs;
+  const auto add = [&](const char* name, double spacing, double took) {
+    ExternalRun external;
+    external.command = {"./solve"};
+    external.method = "mine";
+    external.particle_spacing = spacing;
+    RunDefinition run{};
+    run.name = name;
+    run.solver = external;
+    definition.runs.push_back(run);
+    runs.results[name].cost.user_time = took;
+  };
+  add("coarse", 0.04, 1.5);
+  add("fine", 0.02, 6);
+  GateRow row{};
+  row.candidate = "fine";
+  EXPECT_EQ(left_out_as_compiling(definition, runs, row).text, "") << "no program says so";
+  runs.results["coarse"].diagnostics["compile_processor_time_s"] = 0;
+  EXPECT_EQ(left_out_as_compiling(definition, runs, row).text, "");
+  runs.results["coarse"].diagnostics["compile_processor_time_s"] = 0.5;
+  runs.results["fine"].diagnostics["compile_processor_time_s"] = 0.6;
+  EXPECT_EQ(left_out_as_compiling(definition, runs, row).text,
+            "; coarse says itself that 0.5 s were compiling, 25 % of what it took; they do not "
+            "count");
+  runs.results["fine"].diagnostics["compile_processor_time_s"] = 9;
+  EXPECT_EQ(left_out_as_compiling(definition, runs, row).text,
+            "; doubtful: fine says itself that 9 s were compiling, 60 % of what it took; they do "
+            "not count");
+}
+
+// A program that keeps its result beside it is fast when it is timed.
+TEST(LeftOutAsCompiling, DoubtsACostThatTheRunItselfExceeds) {
+  CaseDefinition definition = sample_case();
+  RunDefinition run{};
+  run.name = "fine";
+  run.solver = ExternalRun{.command = {"./solve"}, .method = "mine", .particle_spacing = 0.02};
+  definition.runs.push_back(run);
+  GateRow row{};
+  row.candidate = "fine";
+  for (const auto& [first, is_doubted] :
+       {std::pair{0.8, true}, {0.12, false}, {0.06, false}, {0.01, false}}) {
+    CaseRuns runs;
+    runs.results["fine"].cost.user_time = first;
+    for (const double again : {0.058, 0.06}) {
+      RunCost cost{};
+      cost.user_time = again;
+      runs.timings["fine"].push_back(cost);
+    }
+    const RowDoubts told = left_out_as_compiling(definition, runs, row);
+    EXPECT_EQ(told.is_doubtful, is_doubted) << first;
+    EXPECT_EQ(told.text.find("doubtful") != std::string::npos, is_doubted) << first;
+  }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "verification/evidence/tests/row_of_a_record.hpp"
 #include "verification/runs/run_case.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/surge_results.hpp"
 
 namespace slosh::soundness_test {
@@ -93,9 +94,9 @@ TEST_F(Soundness, OfARunThatTheRowRestsOnKeepsItFromPassing) {
   row.definition.inputs = {{Input::amplitude, 1e-6, "a guess"}};
   EXPECT_EQ(row.judged().verdict, Verdict::pass) << row.judged().message;
   row.runs.results.at("coarse_particles").diagnostics = {{"mach_number", 0.4}};
-  EXPECT_NE(row.judged().message.find("coarse_particles is not sound"), std::string::npos)
-      << row.judged().message;
-  EXPECT_EQ(row.judged().verdict, Verdict::inconclusive);
+  const GateOutcome outcome = row.judged();
+  EXPECT_TRUE(holds(outcome.message, "coarse_particles is not sound"));
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
 }
 
 TEST_F(Soundness, OfAMeshIsItsCourantNumber) {
@@ -115,12 +116,11 @@ TEST_F(Soundness, KeepsAValidationRowFromPassingAndIsToldBesideEveryRow) {
   record("mach_number", 0.42);
   const GateOutcome outcome = judged();
   EXPECT_EQ(outcome.verdict, Verdict::inconclusive);
-  EXPECT_NE(outcome.message.find("; doubtful: particles is not sound: its Mach number"),
-            std::string::npos)
-      << outcome.message;
+  EXPECT_TRUE(holds(outcome.message, "; doubtful: particles is not sound: its Mach number"));
   definition.gate[0].kind = RowKind::regression;
-  EXPECT_EQ(judged().verdict, Verdict::pass);
-  EXPECT_NE(judged().message.find("doubtful"), std::string::npos);
+  const GateOutcome regression = judged();
+  EXPECT_EQ(regression.verdict, Verdict::pass);
+  EXPECT_TRUE(holds(regression.message, "doubtful"));
 }
 
 TEST_F(Soundness, IsToldOfARowOnWhatTheRunRecordsOfItselfAndKeepsItFromNothing) {
@@ -128,9 +128,10 @@ TEST_F(Soundness, IsToldOfARowOnWhatTheRunRecordsOfItselfAndKeepsItFromNothing) 
   definition.gate[0].reference.clear();
   definition.gate[0].quantity = "mach_number";
   record("mach_number", 0.42);
-  EXPECT_EQ(judged().verdict, Verdict::pass) << judged().message;
-  EXPECT_NE(judged().remarks.find("doubtful: particles is not sound"), std::string::npos);
-  EXPECT_TRUE(judged().is_doubtful);
+  const GateOutcome outcome = judged();
+  EXPECT_EQ(outcome.verdict, Verdict::pass) << outcome.message;
+  EXPECT_TRUE(holds(outcome.remarks, "doubtful: particles is not sound"));
+  EXPECT_TRUE(outcome.is_doubtful);
 }
 
 // What a run of Slosh records where c0 is twice the expected speed, and ten times.
@@ -151,8 +152,9 @@ TEST_F(Soundness, OfASurfaceOutsideOfTheTankKeepsItsRowFromPassing) {
   TimeSeries wave = elevation_of({});
   for (double& value : wave.value) value += 5;
   runs.results.at("particles") = result_of("particles", wave);
-  EXPECT_EQ(judged().verdict, Verdict::inconclusive) << judged().message;
-  EXPECT_NE(judged().message.find("outside of the tank"), std::string::npos);
+  const GateOutcome outcome = judged();
+  EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << outcome.message;
+  EXPECT_TRUE(holds(outcome.message, "outside of the tank"));
   // Below the floor a gauge reads the floor, and there is nothing to compare.
   for (double& value : wave.value) value -= 8;
   runs.results.at("particles") = result_of("particles", wave);
@@ -164,7 +166,7 @@ TEST_F(Soundness, OfATheoryIsNotThatOfASensor) {
   TimeSeries held = elevation_of({});
   for (double& value : held.value) value = std::max(value, -0.001);
   runs.results.at("theory") = result_of("theory", held);
-  EXPECT_EQ(judged().message.find("the reference stays"), std::string::npos) << judged().message;
+  EXPECT_FALSE(holds(judged().message, "the reference stays"));
 }
 
 TEST_F(Soundness, IsNoMatterOfTheStart) {
@@ -186,8 +188,7 @@ TEST_F(Soundness, OfACaseIsThatOfTheRunsThatItsRowsJudge) {
       "doubtful: small_surge: particles is not sound: its Mach number but for 5 % of the time "
       "is 0.42, limit 0.2; fine_mesh is not sound: its largest Courant number is 3, limit 1");
   definition.gate[0].kind = RowKind::regression;
-  EXPECT_NE(judged().message.find("; fine_mesh is not sound"), std::string::npos)
-      << judged().message;
+  EXPECT_TRUE(holds(judged().message, "; fine_mesh is not sound"));
 }
 
 }  // namespace

@@ -1,5 +1,9 @@
-// What others read of our files: h5dump, Python's h5py and an XML reader on the snapshots' index.
+// What readers see of our files: a process beside one that is killed, h5dump, Python's h5py and an
+// XML reader on the snapshots' index.
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
@@ -9,6 +13,7 @@
 #include "verification/files/child_process.hpp"
 #include "verification/results/result_file.hpp"
 #include "verification/solvers/snapshots.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
 namespace slosh::result_readers_test {
@@ -61,7 +66,7 @@ TEST_F(ResultReaders, H5dumpShowsTheWholeFile) {
   ASSERT_TRUE(succeeds({"/usr/bin/h5dump", file.string()})) << output;
   for (const char* text :
        {"slosh result", "elevation@right", "a%2Fb", "-0.125", "mass_loss", "wall_time_s"}) {
-    EXPECT_NE(output.find(text), std::string::npos) << text;
+    EXPECT_TRUE(holds(output, text));
   }
 }
 
@@ -113,6 +118,28 @@ assert len(items) == 8
 )",
                         (directory.path() / "snap shots" / "sph.snapshots.xmf").string()}))
       << output;
+}
+
+// In a process that is sanitized this takes a minute.
+TEST_F(ResultReaders, NeverSeeOneHalfWrittenThoughItsWriterIsKilled) {
+  RunResult large{};
+  large.series = {{"elevation@right", "m", std::vector(200000, 0.0), std::vector(200000, 0.0)}};
+  for (int killed = 0; killed < 10; ++killed) {
+    std::filesystem::remove(file);
+    const pid_t writer = fork();
+    if (writer == 0) {
+      for (;;) write_result(large, file);
+    }
+    // From the first whole file on the writer replaces it over and over, so each pause ends the
+    // writer at another point of a write.
+    while (!std::filesystem::exists(file))
+      ASSERT_EQ(waitpid(writer, nullptr, WNOHANG), 0) << "no writer";
+    std::this_thread::sleep_for(std::chrono::milliseconds(7 * killed));
+    EXPECT_NO_THROW(read_result(file));
+    kill(writer, SIGKILL);
+    waitpid(writer, nullptr, 0);
+    EXPECT_NO_THROW(read_result(file));
+  }
 }
 
 }  // namespace

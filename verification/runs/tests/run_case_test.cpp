@@ -393,8 +393,8 @@ TEST_F(SphRunOfACase, LeavesItsSeriesInTheirUnits) {
 
 TEST_F(SphRunOfACase, GoesOnFromASavedStateToTheSameBits) {
   definition.pressure_gauges = {{.name = "low", .wall = Wall::left, .position = 0.1}};
-  definition.duration = 0.3;
-  settings.state_interval = 0.2;
+  definition.duration = 0.15;
+  settings.state_interval = 0.1;
   settings.key = "a key";
   const RunResult whole = execute(definition, coarse_sph, settings, no_progress);
   RunSettings again = settings;

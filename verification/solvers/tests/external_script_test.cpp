@@ -11,6 +11,7 @@
 #include "verification/files/content_hash.hpp"
 #include "verification/runs/run_key.hpp"
 #include "verification/solvers/external/shared_libraries.hpp"
+#include "verification/tests/messages.hpp"
 #include "verification/tests/sample_case.hpp"
 #include "verification/tests/temporary_directory.hpp"
 
@@ -72,7 +73,7 @@ TEST_F(UnlistedScript, IsAlsoADirectoryThatAProgramStartsInOrIsGiven) {
     EXPECT_EQ(script({"./solve", "--in=tables"}, {input}, tables / "."), "") << input;
   EXPECT_EQ(script({"./solve"}, {directory_.path() / "solve"}, directory_.path()), "");
   for (const char* word : {"tables", "--tables=tables", "{case_directory}/tables", "-T=@tables"})
-    EXPECT_NE(script({"./solve", word}).find("tables"), std::string::npos) << word;
+    EXPECT_TRUE(holds(script({"./solve", word}), "tables")) << word;
   EXPECT_EQ(script({"./solve", "absent", "", "--tables=", "@"}), "");
 }
 
@@ -214,8 +215,7 @@ TEST_F(OwnLibraries, AreThoseThatTheLoaderFindsOutsideTheSystem) {
   EXPECT_EQ(found(), both);
   EXPECT_EQ(found({"mpirun", "-n", "2", "./prog"}), both);
   const std::string listed = output_of("ldd " + (home / "prog").string());
-  for (const std::string& name : both)
-    EXPECT_NE(listed.find((home / name).string() + " "), std::string::npos) << listed;
+  for (const std::string& name : both) EXPECT_TRUE(holds(listed, (home / name).string() + " "));
   for (const char* kind : {"--enable-new-dtags", "--disable-new-dtags"}) {
     program("prog", std::string("-lfirst -Wl,-rpath,'${ORIGIN}/lib' -Wl,") + kind +
                         " -Wl,-rpath-link," + (home / "lib").string());

@@ -139,8 +139,8 @@ TEST(SinesTranslation, PotentialFlowFollowsLinearTheoryAtASmallAmplitude) {
 // A sudden start excites waves at the walls that are shorter than any grid resolves. The force does
 // not feel them; the elevation at a wall nears linear theory with the grid.
 TEST(SinesTranslation, PotentialFlowNearsLinearTheoryAfterASuddenStart) {
-  auto coarse = difference_from_linear_theory(Start::earth, 32),
-       fine = difference_from_linear_theory(Start::earth, 96);
+  auto coarse = difference_from_linear_theory(Start::earth, 24),
+       fine = difference_from_linear_theory(Start::earth, 72);
   for (const char* name : {"elevation@left", "elevation@right"})
     EXPECT_LE(fine[name], coarse[name] / 1.5) << name;
   EXPECT_LE(fine["force_x"], 5e-3);

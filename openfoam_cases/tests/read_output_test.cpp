@@ -1,14 +1,15 @@
-// Excerpts of logs that interFoam 1912 wrote.
-#include "openfoam_cases/output/read_log.hpp"
-
+// What is read of logs and time directories of OpenFOAM.
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <sstream>
 
 #include "openfoam_cases/errors.hpp"
+#include "openfoam_cases/output/read_log.hpp"
+#include "openfoam_cases/output/read_snapshot.hpp"
 #include "openfoam_cases/tests/small_tank.hpp"
 
-namespace slosh::openfoam::read_log_test {
+namespace slosh::openfoam::read_output_test {
 namespace {
 
 const std::string banner = R"(
@@ -117,8 +118,8 @@ TEST(Log, KnowsWhenTheThirdStepWas) {
 
 TEST(Log, ThatStopsHalfWayIsAFailure) {
   const LogReader log = read(banner + two_steps);
-  EXPECT_NE(log.failure().find("no line \"End\""), std::string::npos);
-  EXPECT_NE(log.meaningful_lines().find("ExecutionTime = 3.11 s"), std::string::npos);
+  EXPECT_TRUE(holds(log.failure(), "no line \"End\""));
+  EXPECT_TRUE(holds(log.meaningful_lines(), "ExecutionTime = 3.11 s"));
 }
 
 TEST(Log, WithAnEndInsideAnotherLineHasNotEnded) {
@@ -129,20 +130,20 @@ TEST(Log, WithAFatalErrorIsAFailureAndShowsTheError) {
   const LogReader log = read(banner + fatal_end);
   EXPECT_EQ(log.failure(), "a fatal error");
   EXPECT_TRUE(log.meaningful_lines().starts_with("--> FOAM FATAL IO ERROR"));
-  EXPECT_NE(log.meaningful_lines().find("Unknown ddt type Eular"), std::string::npos);
-  EXPECT_NE(log.meaningful_lines().find("at line 6."), std::string::npos);
+  EXPECT_TRUE(holds(log.meaningful_lines(), "Unknown ddt type Eular"));
+  EXPECT_TRUE(holds(log.meaningful_lines(), "at line 6."));
 }
 
 TEST(Log, WithAFloatingPointExceptionIsADivergenceAndShowsTheStepsBefore) {
   const LogReader log = read(banner + two_steps + diverging_end);
-  EXPECT_NE(log.failure().find("diverged"), std::string::npos);
-  EXPECT_NE(log.meaningful_lines().find("max: 9.12081499424e+21"), std::string::npos);
+  EXPECT_TRUE(holds(log.failure(), "diverged"));
+  EXPECT_TRUE(holds(log.meaningful_lines(), "max: 9.12081499424e+21"));
 }
 
 TEST(Log, WithAWarningIsAFailureThoughTheRunEndsAsUsual) {
   const LogReader log = read(banner + warning + two_steps + end);
   EXPECT_EQ(log.failure(), "a warning");
-  EXPECT_NE(log.meaningful_lines().find("Could not load"), std::string::npos);
+  EXPECT_TRUE(holds(log.meaningful_lines(), "Could not load"));
 }
 
 TEST(Log, CountsTheFacesInTheInterfaceThatInterIsoFoamWarnsOf) {
@@ -152,7 +153,7 @@ TEST(Log, CountsTheFacesInTheInterfaceThatInterIsoFoamWarnsOf) {
   EXPECT_EQ(read(banner + two_steps + end).faces_in_interface(), 0);
   const LogReader also_another = read(twice + warning + end);
   EXPECT_EQ(also_another.failure(), "a warning");
-  EXPECT_NE(also_another.meaningful_lines().find("Could not load"), std::string::npos);
+  EXPECT_TRUE(holds(also_another.meaningful_lines(), "Could not load"));
   EXPECT_NE(read(twice).failure(), "") << "the run has not ended";
   EXPECT_EQ(read(twice + fatal_end).failure(), "a fatal error");
 }
@@ -168,5 +169,108 @@ TEST(Log, WithAFatalErrorAfterAWarningShowsTheErrorWithAllItsLines) {
 
 TEST(Log, ThatIsMissingIsARunError) { EXPECT_THROW(read_log("/no/such/log.interFoam"), RunError); }
 
+// Time directories as interFoam writes them, made by hand and then damaged.
+
+namespace fs = std::filesystem;
+
+// There are two rows of three cells, and an obstacle fills the lower right one.
+SloshingTank tank_of_five_cells() {
+  SloshingTank tank = still_tank();
+  tank.length = 0.3;
+  tank.height = 0.4;
+  tank.fill_depth = 0.3;
+  tank.cells_x = 3;
+  tank.cells_z = 2;
+  tank.obstacles = {{0.2, 0.3, 0, 0.2}};
+  tank.gauges = {};
+  return tank;
+}
+
+class Snapshot : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(directory_.path() / "0");
+    fs::create_directories(directory_.path() / "constant");
+    fs::create_directories(directory_.path() / "0.5003");
+    fs::create_directories(directory_.path() / "1");
+    write("alpha.liquid", 5, [](int cell) { return cell < 2 ? "1" : cell == 2 ? "0.5" : "0"; });
+    write("p", 5, [](int cell) { return std::to_string(10 * (5 - cell)); });
+    write("U", 5,
+          [](int cell) { return (std::ostringstream() << "(" << cell << " 0 -2.5e-3)").str(); });
+  }
+
+  fs::path file(const std::string& field) { return directory_.path() / "0.5003" / field; }
+
+  void write(const std::string& field, int cells, const std::function<std::string(int)>& value) {
+    std::ofstream out(file(field));
+    out << "FoamFile\n{\n}\ndimensions      [0 0 0 0 0 0 0];\n\n"
+        << "internalField   nonuniform List<scalar> \n"
+        << cells << "\n(\n";
+    for (int cell = 0; cell < cells; ++cell) out << value(cell) << "\n";
+    out << ")\n;\n\nboundaryField\n{\n}\n";
+  }
+
+  FieldSnapshot read() {
+    const SloshingTank tank = tank_of_five_cells();
+    return read_snapshot(tank, TankMesh(tank), directory_.path(), 0.5);
+  }
+
+  std::string refusal() {
+    return message_of<RunError>([this] { read(); });
+  }
+
+  TemporaryDirectory directory_;
+};
+
+TEST_F(Snapshot, HasEveryCellsPlaceAndFields) {
+  const FieldSnapshot snapshot = read();
+  EXPECT_EQ(snapshot.time, 0.5003);
+  EXPECT_NEAR(snapshot.cell_width, 0.1, 1e-15);
+  EXPECT_NEAR(snapshot.cell_height, 0.2, 1e-15);
+  ASSERT_EQ(snapshot.x.size(), 5u);
+  for (int cell = 0; cell < 5; ++cell) {
+    const bool is_below = snapshot.z[cell] < 0.2;
+    EXPECT_NEAR(snapshot.z[cell], is_below ? 0.1 : 0.3, 1e-15);
+    EXPECT_EQ(snapshot.velocity_x[cell], cell);
+    EXPECT_EQ(snapshot.velocity_z[cell], -2.5e-3);
+    // Half a cell of gas at 30 Pa and cells at 20 and 10 Pa have a mean of 18 Pa.
+    EXPECT_NEAR(snapshot.pressure[cell], 10 * (5 - cell) - 18, 1e-12);
+  }
+  EXPECT_NEAR(snapshot.x[1], 0.15, 1e-15);
+  EXPECT_NEAR(snapshot.x[4], 0.25, 1e-15);
+  EXPECT_EQ(snapshot.liquid_share, (std::vector<double>{1, 1, 0.5, 0, 0}));
+}
+
+TEST_F(Snapshot, MayBeUniform) {
+  std::ofstream(file("U")) << "internalField   uniform (1 0 2);\n\nboundaryField\n";
+  const FieldSnapshot snapshot = read();
+  EXPECT_EQ(snapshot.velocity_x, std::vector<double>(5, 1));
+  EXPECT_EQ(snapshot.velocity_z, std::vector<double>(5, 2));
+}
+
+TEST_F(Snapshot, IsRefusedWhereItIsLate) {
+  fs::rename(directory_.path() / "0.5003", directory_.path() / "0.504");
+  EXPECT_TRUE(holds(refusal(), "no fields at 0.5 s, the nearest are at 0.504 s"));
+}
+
+TEST_F(Snapshot, IsRefusedWithoutOneOfItsFields) {
+  fs::remove(file("p"));
+  EXPECT_TRUE(holds(refusal(), "missing"));
+}
+
+TEST_F(Snapshot, IsRefusedWithAnotherNumberOfCellsOrOneThatIsNone) {
+  write("p", 4, [](int) { return "1"; });
+  EXPECT_TRUE(holds(refusal(), "expected 5 cells"));
+  write("p", 5, [](int cell) { return cell == 3 ? "nan" : "1"; });
+  EXPECT_TRUE(holds(refusal(), "cell 3 is the first"));
+  write("p", 5, [](int) { return "(1 2 3)"; });
+  EXPECT_TRUE(holds(refusal(), "cell 0 is the first"));
+}
+
+TEST_F(Snapshot, IsRefusedWhereAFieldIsCutShort) {
+  fs::resize_file(file("U"), fs::file_size(file("U")) - 60);
+  EXPECT_TRUE(holds(refusal(), "expected 5 cells"));
+}
+
 }  // namespace
-}  // namespace slosh::openfoam::read_log_test
+}  // namespace slosh::openfoam::read_output_test
