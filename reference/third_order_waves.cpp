@@ -14,9 +14,9 @@ namespace {
 using Eigen::ArrayXd, Eigen::MatrixXd, Eigen::RowVectorXd, Eigen::VectorXd;
 
 // A wave has its second and third harmonics among the modes.
-constexpr int fewest_modes = 16, most_modes = 64, harmonics = 3;
-constexpr double step_of_fastest = 0.3;        // [rad] of the last mode in one step
-constexpr double share_of_step = 1e-2;         // of the difference along the solution
+constexpr int fewest_wave_modes = 16, most_wave_modes = 64, harmonics = 3;
+constexpr double step_of_fastest = 0.3;  // [rad] of the last mode in one step
+constexpr double share_of_step = 1e-2;   // of the difference along the solution
 // The last modes would grow from rounding, as in nonlinear_potential_flow.cpp.
 constexpr double filter_rate = 10;
 constexpr int filter_power = 16;
@@ -41,7 +41,7 @@ struct State {
 };
 
 int count_of_modes(const ThirdOrderWaves& waves) {
-  return std::clamp(harmonics * waves.initial_wave.mode, fewest_modes, most_modes);
+  return std::clamp(harmonics * waves.initial_wave.mode, fewest_wave_modes, most_wave_modes);
 }
 
 class Waves {
@@ -81,7 +81,7 @@ class Waves {
     State state{VectorXd::Zero(modes),
                 -waves_.initial_velocity * along_ - waves_.initial_spin * around_};
     const auto& [mode, amplitude] = waves_.initial_wave;
-    if (harmonics * mode <= most_modes)
+    if (harmonics * mode <= most_wave_modes)
       state.elevation[mode - 1] = amplitude;
     else
       state.elevation.setConstant(std::nan(""));
@@ -247,7 +247,8 @@ std::vector<double> ThirdOrderRecord::linear_elevation(double x) const {
 }
 
 std::vector<double> ThirdOrderRecord::elevation(double x) const {
-  return values_of(shape_at(tank_, x, all_.elevation.rows()) * (all_.elevation - linear_.elevation));
+  return values_of(shape_at(tank_, x, all_.elevation.rows()) *
+                   (all_.elevation - linear_.elevation));
 }
 
 std::vector<double> ThirdOrderRecord::velocity(const RowVectorXd& shape, double of_turn,

@@ -211,8 +211,12 @@ std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
   };
   const auto runs = [&](RunState state) { return count(cases, problems, state); };
   int not_comparable = 0;
-  for (const CaseAssessment& one : cases)
+  std::string why;  // of the first
+  for (const CaseAssessment& one : cases) {
+    if (why.empty() && !one.not_comparable.empty())
+      why = fmt::format(" Not comparable: {}.", one.not_comparable.front());
     not_comparable += static_cast<int>(one.not_comparable.size());
+  }
   const int passed = rows(Verdict::pass);
   const int judged = passed + rows(Verdict::violated) + rows(Verdict::inconclusive) +
                      rows(Verdict::solver_failed) + rows(Verdict::not_compared);
@@ -229,7 +233,7 @@ std::string verdict_sentence(const std::vector<CaseAssessment>& cases,
   add(runs(RunState::not_supplied), "record not supplied", "records not supplied");
   add(rows(Verdict::not_supplied), "gate row without its record", "gate rows without their record");
   add(rows(Verdict::not_selected), "not selected");
-  return text + ".";
+  return text + "." + why;
 }
 
 std::string headline_sentence(const std::vector<HeadlineLine>& lines) {

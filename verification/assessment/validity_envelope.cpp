@@ -50,23 +50,26 @@ using Reasons = std::vector<std::string>;
 
 constexpr int most_modes = 256;
 
-// The natural frequencies up to the first from `end` [rad/s] on, or as many as there are.
-std::vector<double> natural_up_to(double end, const CaseDefinition& definition) {
+// The theory's natural frequencies up to the first from `end` [rad/s] on, or as many as there are.
+std::vector<double> natural_up_to(double end, const LinearRun& linear,
+                                  const CaseDefinition& definition) {
   std::vector<double> natural;
   for (int count = 4; count <= most_modes; count *= 2) {
-    natural = natural_frequencies(definition, count);
+    natural = linear.two_layer ? two_layer_frequencies(definition, count)
+                               : natural_frequencies(definition, count);
     if (std::ssize(natural) < count || !(natural.back() < end)) break;
   }
   return natural;
 }
 
 // Names the natural modes, of those that surge and roll excite, that are too near to the forcing.
-void add_too_near_resonance(const CaseDefinition& definition, Reasons& reasons) {
+void add_too_near_resonance(const LinearRun& linear, const CaseDefinition& definition,
+                            Reasons& reasons) {
   const double least = least_detuning(definition);
   const auto step = static_cast<std::size_t>(excited_mode_step(definition.tank));
   for (const ForcedMode& forced : forced_modes(definition)) {
     const double forcing = forced.angular_frequency;
-    const std::vector<double> natural = natural_up_to(2 * forcing, definition);
+    const std::vector<double> natural = natural_up_to(2 * forcing, linear, definition);
     if (std::ssize(natural) == most_modes && natural.back() < forcing)
       reasons.push_back(fmt::format(
           "is forced at {:.3g} rad/s, above the {:.3g} rad/s of its natural mode {}, the last that "
@@ -139,7 +142,7 @@ std::optional<std::string> joined(const Reasons& reasons) {
 std::optional<std::string> outside(const LinearRun& linear, const CaseDefinition& definition,
                                    const RunResult& result) {
   Reasons reasons = too_high(linear.valid_elevation_over_depth, definition, result);
-  add_too_near_resonance(definition, reasons);
+  add_too_near_resonance(linear, definition, reasons);
   add_without_viscosity(definition, reasons);
   if (!linear.two_layer) add_without_gas(definition, reasons);
   return joined(reasons);

@@ -27,7 +27,7 @@
 
 namespace slosh {
 
-inline constexpr double steepest_linear_wave = 0.2, most_left_out = 0.005;
+inline constexpr double steepest_linear_wave = 0.2;
 
 // Returns the range of a theory's result in words, with the numbers of this case. Empty for
 // solvers and records.

@@ -328,6 +328,20 @@ std::string changes_of(const RunDefinition& run) {
   return std::visit([](const auto& solver) { return changes(solver); }, run.solver);
 }
 
+bool counts_from_its_first_value(const CaseDefinition& definition, const std::string& run,
+                                 const std::string& quantity) {
+  const auto counts_so = [&](const auto& solver) {
+    if constexpr (requires { solver.series; })
+      return std::any_of(solver.series.begin(), solver.series.end(), [&](const SeriesSource& one) {
+        return one.quantity == quantity && one.first_is_zero;
+      });
+    return false;
+  };
+  return std::any_of(definition.runs.begin(), definition.runs.end(), [&](const auto& one) {
+    return one.name == run && std::visit(counts_so, one.solver);
+  });
+}
+
 bool is_changed(const RunDefinition& run) { return !changes_of(run).empty(); }
 
 std::string work_family(const RunDefinition& run) {

@@ -103,6 +103,11 @@ std::string changes_of(const SphRun& run);
 // The same of any run. Of a mesh it is what has not its default; other runs change nothing.
 std::string changes_of(const RunDefinition& run);
 
+// Whether the run's series of the quantity counts from its first value, which is then 0 whatever
+// the program prints.
+bool counts_from_its_first_value(const CaseDefinition& definition, const std::string& run,
+                                 const std::string& quantity);
+
 // Whether a run has something of its scheme changed.
 bool is_changed(const RunDefinition& run);
 

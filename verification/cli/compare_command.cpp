@@ -31,6 +31,7 @@
 #include "verification/cli/texts/result_text.hpp"
 #include "verification/evidence/case_evidence.hpp"
 #include "verification/evidence/soundness.hpp"
+#include "verification/files/foreign/plain_file.hpp"
 #include "verification/files/own_files.hpp"
 #include "verification/files/protected_inputs.hpp"
 #include "verification/gate/gate.hpp"
@@ -248,9 +249,16 @@ void keep_freed_memory() {
 
 constexpr const char* hdf5_mark = "\x89HDF";
 
+// A pipe would be waited for.
+void require_plain_file(const char* role, const std::filesystem::path& file) {
+  if (std::filesystem::exists(file) && !is_plain_file(file))
+    throw CaseFileError(fmt::format("{} = {}: expected a file of a disk", role, file.string()));
+}
+
 // A result file, or a plain table whose columns the case tells.
 RunResult named_candidate(const CompareOptions& options,
                           const std::optional<CaseDefinition>& definition) {
+  require_plain_file("candidate", options.candidate);
   std::string begin(4, ' ');
   std::ifstream(options.candidate, std::ios::binary).read(begin.data(), 4);
   if (!definition || begin == hdf5_mark || options.candidate.extension() == ".h5")
@@ -325,6 +333,7 @@ ComparedFiles compared(const CompareOptions& options, const Installation& instal
   if (options.reference.empty() && !definition)
     throw CaseFileError("reference is missing: expected a result file, or --case with a theory");
   const RunResult candidate = named_candidate(options, definition);
+  require_plain_file("reference", options.reference);
   const RunResult reference =
       options.reference.empty() ? theory_of(*definition) : named_result(options.reference);
   const std::string quantity = compared_quantity(options, candidate, reference);

@@ -196,6 +196,10 @@ Comparison CaseEvidence::compared(const std::string& candidate, const std::strin
             definition_, quantity, role, cut_to_window(series_of(runs_, run, quantity), window));
         !doubt.empty())
       comparison.doubts.push_back(doubt);
+  // A program that prints theory is one that solves it; but no two methods give the same digits.
+  if (comparison.maximum_residual == 0 && !comparison.reference_is_constant &&
+      moved.suffix.empty() && !is_theory(run_named(definition_, reference)))
+    comparison.doubts.push_back("the candidate has the reference's values to the last digit");
   comparison.candidate = candidate;
   comparison.reference = reference;
   return comparison;
@@ -306,6 +310,11 @@ RowDoubts CaseEvidence::doubts_of_runs(const GateRow& row, const std::set<std::s
       doubts.text += "; doubtful: " + doubt;
       doubts.is_doubtful = true;
     }
+  if (row.metric == Metric::mean_offset &&
+      counts_from_its_first_value(definition_, row.candidate, row.quantity))
+    doubts.text +=
+        "; the candidate counts from its first value, so that what it is off by then is "
+        "not seen";
   named.insert(rests_on.begin(), rests_on.end());
   const std::string unsound = row.metric == Metric::initial_value
                                   ? std::string()

@@ -82,11 +82,25 @@ Estimate with_own(const Estimate& value, const UncertaintyContributions& of) {
           std::hypot(value.half_width, of.time_series.known(), of.discretisation.known())};
 }
 
+constexpr double hardly_moves =
+    0.95;  // of the error of nothing: a twentieth of the wave, a convention
+
 // Returns whether the error is smaller than that of a candidate that hardly moves: such a candidate
-// improves on every run with a larger error. A twentieth of the wave is a convention.
+// improves on every run with a larger error.
 bool is_better_than_nothing(Metric metric, const Estimate& value) {
-  const double nothing = 0.95 * std::abs(metric_entry(metric).widest.nothing);
+  const double nothing = hardly_moves * std::abs(metric_entry(metric).widest.nothing);
   return std::isnan(nothing) || std::abs(value.value) + value.half_width < nothing;
+}
+
+// Wide bounds may hold the error of a candidate that hardly moves, though not that of nothing.
+RowDoubts like_nothing(const GateRow& row, const Estimate& value) {
+  const double nothing = metric_entry(row.metric).widest.nothing;
+  if (row.improves_on || is_p_value(row.metric) || !(value.value / nothing > hardly_moves))
+    return {};
+  return {.text = fmt::format("; doubtful: a candidate that does not move has {}",
+                              in_unit(nothing, row.unit)),
+          .is_doubtful = true,
+          .keep_from_passing = true};
 }
 
 GateOutcome judge_improvement(const GateRow& row, const Estimate& value,
@@ -310,9 +324,10 @@ std::string single_run_text(const GateRow& row, const GateEvidence& evidence) {
 }
 
 // What the samples and the runs leave open.
-void add_remarks(const std::string& larger_outside, const GateEvidence& evidence,
-                 GateOutcome& outcome) {
-  std::vector<RowDoubts> doubts{{larger_outside}, doubts_of_samples(outcome.row, evidence)};
+void add_remarks(const std::string& larger_outside, const Estimate& value,
+                 const GateEvidence& evidence, GateOutcome& outcome) {
+  std::vector<RowDoubts> doubts{
+      {larger_outside}, like_nothing(outcome.row, value), doubts_of_samples(outcome.row, evidence)};
   if (evidence.doubts_of_runs) doubts.push_back(evidence.doubts_of_runs(outcome.row));
   for (const RowDoubts& one : doubts) {
     outcome.remarks += one.text;
@@ -371,7 +386,7 @@ GateOutcome evaluate(const GateRow& row, const std::map<std::string, RunStatus>&
     const PlaceOfPeak place =
         row.metric == Metric::largest_magnitude ? place_of_peak(row, evidence) : PlaceOfPeak{};
     outcome.message += place.when + span_text(row, evidence) + single_run_text(row, evidence);
-    add_remarks(place.larger_outside, evidence, outcome);
+    add_remarks(place.larger_outside, value, evidence, outcome);
     if (row.kind == RowKind::regression) outcome.message += " (regression)";
     return outcome;
   } catch (const NotSuppliedError& error) {

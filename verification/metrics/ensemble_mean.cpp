@@ -41,6 +41,13 @@ double half_width_of(double variance, double freedom) {
   return t95(freedom) * std::sqrt(variance);
 }
 
+// Runs that scatter by so little beside their own intervals are one run, as copies of it are: what
+// its interval is of, they all have.
+double with_own(double scatter, double own) {
+  constexpr double alike = 0.1;
+  return scatter < alike * own ? std::hypot(scatter, own) : scatter;
+}
+
 }  // namespace
 
 Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSide single,
@@ -58,10 +65,11 @@ Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSi
                      b = variance_of_mean(of_references, least.references);
   const double value = mean(of_candidates);
   if (a.freedom > 0 && b.freedom > 0)
-    return {value, half_width_of(a.variance + b.variance, welch_freedom(a, b))};
+    return {value,
+            with_own(half_width_of(a.variance + b.variance, welch_freedom(a, b)), mean(own))};
   const MeanVariance repeated = a.freedom > 0 ? a : b;
   if (single == SingleSide::exact)
-    return {value, half_width_of(repeated.variance, repeated.freedom)};
+    return {value, with_own(half_width_of(repeated.variance, repeated.freedom), mean(own))};
   const MeanVariance one_more = with_one_of_many(repeated);
   return {value, std::hypot(half_width_of(one_more.variance, one_more.freedom), mean(own))};
 }

@@ -15,6 +15,7 @@
 #include "verification/solvers/theory/beyond_linear.hpp"
 #include "verification/solvers/theory/linear_flow.hpp"
 #include "verification/solvers/theory/motion_samples.hpp"
+#include "verification/solvers/theory/natural_frequencies.hpp"
 
 namespace slosh {
 namespace {
@@ -105,12 +106,14 @@ std::vector<TimeSeries> with_more_modes(const LinearRun& linear, const CaseDefin
   return own;
 }
 
-// Adds each series with more modes, and with what linear theory leaves out where that is finite.
+// Adds each series with more modes, and with what linear theory leaves out where that is finite. Of
+// two layers that is not known unless the gas is as light as none.
 void add_left_out(const LinearRun& linear, const CaseDefinition& definition, const LinearFlow& flow,
                   RunResult& result) {
   const std::vector<TimeSeries> own = result.series;
   for (TimeSeries& one : with_more_modes(linear, definition, own))
     result.series.push_back(std::move(one));
+  if (linear.two_layer && share_lost_to_gas(definition) > most_left_out) return;
   const std::vector<TimeSeries> beyond = series_of(
       BeyondLinear(definition, flow.elevation(still_surface(definition).right)), definition);
   for (std::size_t i = 0; i < own.size(); ++i) add_moved(own[i], beyond[i].value, result);

@@ -19,7 +19,12 @@ inline reference::Tank tank_of(const CaseDefinition& definition) {
           definition.liquid.density};
 }
 
-// The same of any section, with the tank's coordinates.
+// The gas up to the roof.
+inline reference::Gas gas_of(const CaseDefinition& definition) {
+  return {definition.gas.density, definition.tank.height - definition.liquid.fill_depth};
+}
+
+// The tank of any section, in its own coordinates.
 inline reference::Section section_of(const CaseDefinition& definition) {
   reference::Section section{
       {}, definition.liquid.fill_depth, definition.gravity, definition.liquid.density};

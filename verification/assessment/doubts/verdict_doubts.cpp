@@ -41,6 +41,11 @@ bool judges_a_mode(const GateRow& row) {
   return metric_entry(row.metric).fitted != FittedTones::none && !row.reference.empty();
 }
 
+bool judges_all_of_it(const GateRow& row) {
+  return row.metric == Metric::normalised_rms || row.metric == Metric::aligned_rms ||
+         row.metric == Metric::outside_band;
+}
+
 // "" where a row judges the whole series of the pair, or where it is near enough.
 std::string rest_of_series(const GateRow& row, const std::vector<GateOutcome>& gate,
                            const std::vector<Comparison>& comparisons) {
@@ -48,7 +53,7 @@ std::string rest_of_series(const GateRow& row, const std::vector<GateOutcome>& g
       comparisons, [&](const Comparison& one) { return is_of_pair(row, one); });
   if (pair == comparisons.end() || !(pair->normalised_rms.value > much_of_a_series)) return "";
   const bool is_judged_whole = std::ranges::any_of(gate, [&](const GateOutcome& other) {
-    return is_of_pair(other.row, *pair) && !judges_a_mode(other.row);
+    return is_of_pair(other.row, *pair) && judges_all_of_it(other.row);
   });
   if (is_judged_whole) return "";
   return fmt::format(

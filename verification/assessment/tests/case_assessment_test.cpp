@@ -340,7 +340,9 @@ TEST(CaseAssessment, DoubtsAModeThatPassesWhereTheRestOfTheSeriesDeparts) {
   EXPECT_TRUE(
       assessment.doubts[0].starts_with("doubtful: small_surge: particles departs from theory by "))
       << assessment.doubts[0];
-  definition.gate.push_back(surge_row("whole", Metric::normalised_rms, "1", 0.2));
+  definition.gate.push_back(surge_row("whole", Metric::rms_error, "1", 0.9));
+  EXPECT_EQ(assess_two(runs, definition).doubts.size(), 1u) << "that row sees its size alone";
+  definition.gate[1] = surge_row("whole", Metric::normalised_rms, "1", 0.2);
   EXPECT_EQ(assess_two(runs, definition).doubts, std::vector<std::string>{}) << "that row fails";
   EXPECT_EQ(good().doubts, std::vector<std::string>{});
 }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "verification/assessment/validity_envelope.hpp"
 #include "verification/tests/sample_case.hpp"
 
@@ -108,6 +111,23 @@ TEST(CaseTheories, AreOutsideTheirRangeUnderALowRoofInAThickLiquidUnderADenseGas
         << reason(dense, run);
   std::get<LinearRun>(dense.runs[0].solver).two_layer = true;
   EXPECT_EQ(reason(dense, "linear"), "");
+  // At the first frequency of the two layers (Lamb, article 231), far below that of the liquid.
+  dense.gas.density = 0.8 * dense.liquid.density;
+  const double k = std::numbers::pi / dense.tank.length, depth = dense.liquid.fill_depth,
+               heavy = dense.liquid.density / std::tanh(k * depth),
+               light = dense.gas.density / std::tanh(k * (dense.tank.height - depth));
+  const double resonance = std::sqrt(
+      dense.gravity * k * (dense.liquid.density - dense.gas.density) / (heavy + light));
+  dense.motion.surge = SineMotion{.amplitude = 0.01, .angular_frequency = resonance};
+  EXPECT_NE(reason(dense, "linear").find("is forced at 1 times its natural mode 1"),
+            std::string::npos)
+      << reason(dense, "linear");
+  CaseDefinition short_wave = inside;
+  short_wave.motion.surge.reset();
+  short_wave.initial_wave = InitialWaveDefinition{20, 0.03 * short_wave.liquid.fill_depth};
+  EXPECT_NE(reason(short_wave, "linear").find("predicts a steepness k A of 0.6"),
+            std::string::npos)
+      << reason(short_wave, "linear") << ", 20 times 0.033";
   CaseDefinition fast = inside;
   fast.motion.surge = SineMotion{.amplitude = 1e-12, .angular_frequency = 6e6};
   EXPECT_NE(reason(fast, "linear").find("of its natural mode 256"), std::string::npos);

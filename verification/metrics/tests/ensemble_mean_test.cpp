@@ -34,12 +34,18 @@ TEST(EnsembleMean, IsTheMeanOfAllPairsWithStudentsInterval) {
               1e-12);
 }
 
-TEST(EnsembleMean, CountsTheHistoriesOfASingleRunOfManyAndOfNoOther) {
-  const Values alike{{2}, {2}, {2}};
+TEST(EnsembleMean, OfCopiesHasTheirOwnInterval) {
+  const Values alike{{2}, {2}, {2}}, nearly{{2}, {2 + 1e-6}, {2 - 1e-6}};
   EXPECT_EQ(ensemble_mean(pairs_of(alike), SingleSide::exact).half_width, 0);
-  EXPECT_EQ(ensemble_mean(pairs_of(alike, 0.7), SingleSide::exact).half_width, 0);
-  EXPECT_NEAR(ensemble_mean(pairs_of(alike, 0.7), SingleSide::one_of_many).half_width, 0.7, 1e-12);
-  EXPECT_EQ(ensemble_mean(pairs_of({{2, 2}, {2, 2}}, 0.7), SingleSide::one_of_many).half_width, 0);
+  for (const Values& values : {alike, nearly, Values{{2, 2}, {2, 2}}})
+    for (const SingleSide single : {SingleSide::exact, SingleSide::one_of_many})
+      EXPECT_NEAR(ensemble_mean(pairs_of(values, 0.7), single).half_width, 0.7, 1e-9);
+}
+
+TEST(EnsembleMean, OfRunsThatScatterHasNoneOfTheirOwn) {
+  const Values apart{{1}, {2}, {3}};
+  EXPECT_EQ(ensemble_mean(pairs_of(apart, 0.7), SingleSide::exact).half_width,
+            ensemble_mean(pairs_of(apart), SingleSide::exact).half_width);
 }
 
 TEST(EnsembleMean, AddsTheSpreadOfBothSidesAfterWelch) {

@@ -79,6 +79,12 @@ TEST(LinearRunOfACase, CountsTheGasWhenAsked) {
   const RunResult without = execute(sample_case(), linear, {}, no_progress);
   EXPECT_NE(with.at("elevation@right").value, without.at("elevation@right").value);
   EXPECT_EQ(with.active_terms.size(), without.active_terms.size() + 1);
+  // What it leaves out is estimated for one layer alone.
+  EXPECT_TRUE(has_series(with, std::string("elevation@right") + nonlinear));
+  CaseDefinition dense = sample_case();
+  dense.gas.density = 500;
+  EXPECT_FALSE(has_series(execute(dense, two_layer, {}, no_progress),
+                          std::string("elevation@right") + nonlinear));
 }
 
 TEST(LinearRunOfACase, TellsItsHighestElevationForTheRangeOfValidity) {

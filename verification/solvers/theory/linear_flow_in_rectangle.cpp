@@ -14,9 +14,7 @@ namespace slosh {
 namespace {
 
 std::optional<reference::Gas> gas_of(const LinearRun& linear, const CaseDefinition& definition) {
-  if (!linear.two_layer) return {};
-  return reference::Gas{definition.gas.density,
-                        definition.tank.height - definition.liquid.fill_depth};
+  return linear.two_layer ? std::optional(gas_of(definition)) : std::nullopt;
 }
 
 // Returns the solution for the motion, with the gas where the run counts it.

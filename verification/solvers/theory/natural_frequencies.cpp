@@ -46,12 +46,19 @@ std::vector<double> natural_frequencies(const CaseDefinition& definition, int co
   return frequencies;
 }
 
+std::vector<double> two_layer_frequencies(const CaseDefinition& definition, int count) {
+  std::vector<double> frequencies;
+  for (int mode = 1; mode <= count; ++mode)
+    frequencies.push_back(
+        reference::natural_frequency(tank_of(definition), gas_of(definition), mode));
+  return frequencies;
+}
+
 double share_lost_to_gas(const CaseDefinition& definition) {
   reference::Tank tank = tank_of(definition);
   tank.length = still_surface(definition).length();
-  const reference::Gas gas{definition.gas.density,
-                           definition.tank.height - definition.liquid.fill_depth};
-  return 1 - reference::natural_frequency(tank, gas, 1) / reference::natural_frequency(tank, 1);
+  return 1 - reference::natural_frequency(tank, gas_of(definition), 1) /
+                 reference::natural_frequency(tank, 1);
 }
 
 std::map<int, double> excited_frequencies(const CaseDefinition& definition, int count) {
