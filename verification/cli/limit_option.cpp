@@ -105,8 +105,8 @@ GateOutcome judged(const GateRow& row, const Comparison& comparison,
   if (!doubts_of_runs.empty())
     evidence.doubts_of_runs = [&](const GateRow&) {
       return RowDoubts{.text = fmt::format("; doubtful: {}", fmt::join(doubts_of_runs, "; ")),
-                       .is_doubtful = true,
-                       .keep_from_passing = true};
+                       .keep_from_passing = true,
+                       .is_doubtful = true};
     };
   GateOutcome outcome = evaluate(row, runs, evidence);
   outcome.message += "; the uncertainties of both results are not counted";

@@ -99,8 +99,8 @@ RowDoubts like_nothing(const GateRow& row, const Estimate& value) {
     return {};
   return {.text = fmt::format("; doubtful: a candidate that does not move has {}",
                               in_unit(nothing, row.unit)),
-          .is_doubtful = true,
-          .keep_from_passing = true};
+          .keep_from_passing = true,
+          .is_doubtful = true};
 }
 
 GateOutcome judge_improvement(const GateRow& row, const Estimate& value,

@@ -15,6 +15,7 @@
 #include "verification/case/quantities.hpp"
 #include "verification/gate/impact_metrics.hpp"
 #include "verification/metrics/ensemble_mean.hpp"
+#include "verification/series/interval_text.hpp"
 
 namespace slosh {
 namespace {
@@ -229,8 +230,8 @@ void add_coverage(double covered, RowDoubts& found) {
         fmt::format("the samples cover {:.2g} % of the window; expected half of it or more, or a "
                     "window of [comparison] in which they lie",
                     100 * covered));
-  found.text +=
-      fmt::format("; over {:.2g} % of the window, which the samples cover", 100 * covered);
+  found.text += fmt::format("; over {} % of the window, which the samples cover",
+                            three_digits(100 * covered));
 }
 
 void add_doubtful(const std::vector<std::string>& doubts, RowDoubts& found) {
