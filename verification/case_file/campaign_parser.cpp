@@ -66,7 +66,7 @@ void add_run(const TomlTable& run, const TomlTable& sweep, CaseDefinition& defin
       if (group.has(key))
         group.refuse(key, "no such key in [[sweep.gate]]: its rows are of each run of the sweep");
     for (const TomlTable& row : gate_rows(group, definition))
-      definition.gate.push_back(gate_table(row.with("candidate", run.written("name")), definition));
+      definition.gate.push_back(gate_keys(row.with("candidate", run.written("name")), definition));
   }
 }
 
@@ -112,7 +112,7 @@ void read_bounds(const TomlTable& row, ProblemGateRow& gate_row) {
 }
 
 ProblemGateRow read_row(const TomlTable& row, const KnownProblem& problem) {
-  ProblemGateRow gate_row = problem_gate_table(row, {});
+  ProblemGateRow gate_row = problem_gate_keys(row, {});
   if (gate_row.source.empty()) gate_row.source = measured_before;
   gate_row.measure = row.choice("measure", fmt::format("a measure of {}", problem.name),
                                 names_of(problem.measures));
@@ -175,7 +175,7 @@ CampaignDefinition campaign_of_case(const TomlTable& root, CampaignDefinition ca
 
 }  // namespace
 
-const FieldTable<CampaignDefinition> campaign_table{
+const FieldTable<CampaignDefinition> campaign_keys{
     {"campaign", "Top level of a campaign file", "yes",
      "A campaign names what is run, gated and reported together: at least one case or problem."},
     {{{"schema_version", constant("1"), yes, "The version of this format."}},
@@ -191,7 +191,7 @@ const FieldTable<CampaignDefinition> campaign_table{
      {{"sweep", table("[[sweep]]"), no}},
      {{"timing", table("[timing]"), no}}}};
 
-const FieldTable<ProblemGateRow> problem_gate_table{
+const FieldTable<ProblemGateRow> problem_gate_keys{
     {"problem.gate", "[[problem.gate]]", "one or more",
      "One requirement on one measure of the problem, or with measures and limits several, as in "
      "[[gate]]: each metric of a measure once."},
@@ -213,7 +213,7 @@ const FieldTable<ProblemGateRow> problem_gate_table{
          {{"upper", number().above(Bound("lower")).below(Bound("lower + 2")),
            beside("order_within")}}})};
 
-const FieldTable<TimingDefinition> timing_table{
+const FieldTable<TimingDefinition> timing_keys{
     {"timing", "[timing]", "no",
      "Repeats of the runs, each alone on the machine after all other runs."},
     {field("repeats", &TimingDefinition::repeats, integer().at_least(1), yes,
@@ -233,7 +233,7 @@ CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_dire
   root.get("schema_version", exactly(campaign_schema_version));  // another version has other rules
   Complaints complaints;
   complaints.allow([&] {
-    root.read_all([&](const TomlTable& head) { campaign_table.read_into(head, {}, campaign); });
+    root.read_all([&](const TomlTable& head) { campaign_keys.read_into(head, {}, campaign); });
   });
   std::vector<TomlTable> problems;
   complaints.allow([&] { problems = root.tables("problem"); });
@@ -244,7 +244,7 @@ CampaignDefinition read_campaign(const fs::path& file, const fs::path& case_dire
   if (root.has("timing"))
     complaints.allow([&] {
       root.table("timing").read_all(
-          [&](const TomlTable& timing) { campaign.timing = timing_table(timing, {}); });
+          [&](const TomlTable& timing) { campaign.timing = timing_keys(timing, {}); });
     });
   if (root.has("cases") || !root.has("problem")) {
     std::vector<PlacedText> members;

@@ -7,7 +7,7 @@ namespace slosh {
 using namespace key;
 using namespace needed;
 
-const FieldTable<CaseDefinition> case_table{
+const FieldTable<CaseDefinition> case_keys{
     {"case", "Top level", "yes", "The first keys of a case file, and its tables."},
     {{{"schema_version", constant("1"), yes, "The version of this format."}},
      field("name", &CaseDefinition::name, name(), yes, "The name of the case."),
@@ -41,7 +41,7 @@ const FieldTable<CaseDefinition> case_table{
      {{"input", table("[[input]]"), no}},
      {{"gate", table("[[gate]]"), no}}}};
 
-const FieldTable<GateRow> gate_table{
+const FieldTable<GateRow> gate_keys{
     {"gate", "[[gate]]", "no",
      "One requirement, or with candidates, modes and limits several: one for each run, mode and "
      "metric that they list. Exactly one of limit, lower with upper, and improves_on is given for "
@@ -99,24 +99,24 @@ const FieldTable<GateRow> gate_table{
 const std::vector<KeyTable>& case_key_tables() {
   static const std::vector<KeyTable> motions = motion_tables();
   static const std::vector<KeyTable> all{
-      case_table,
-      tank_table,
-      liquid_table,
-      gas_table,
-      obstacle_table,
-      initial_wave_table,
-      motion_table,
+      case_keys,
+      tank_keys,
+      liquid_keys,
+      gas_keys,
+      obstacle_keys,
+      initial_wave_keys,
+      motion_keys,
       motions[0],
       motions[1],
       motions[2],
       motions[3],
-      time_table,
-      animation_table,
-      gauge_table,
-      pressure_gauge_table,
-      probe_table,
-      impacts_table,
-      comparison_table,
+      time_keys,
+      animation_keys,
+      gauge_keys,
+      pressure_gauge_keys,
+      probe_keys,
+      impacts_keys,
+      comparison_keys,
       key_table(
           "run", "[[run]]", "at least one",
           "A solution of the case. These keys are common to all solvers; each solver adds its own. "
@@ -131,32 +131,32 @@ const std::vector<KeyTable>& case_key_tables() {
             KeyValue{KeyKind::flag_or_texts, "true or false, or a list of names or patterns"}, no,
             "Whether the run belongs to the quick form of campaigns, or which of the runs of a "
             "pattern."}}),
-      sph_table,
-      interfoam_table,
-      linear_table,
-      viscous_wave_table,
-      potential_table,
-      record_table,
-      experiment_table,
-      external_table,
-      stored_table,
-      series_table,
-      pysph_table,
-      refinement_table,
-      input_table,
-      gate_table};
+      sph_keys,
+      interfoam_keys,
+      linear_keys,
+      viscous_wave_keys,
+      potential_keys,
+      record_keys,
+      experiment_keys,
+      external_keys,
+      stored_keys,
+      series_keys,
+      pysph_keys,
+      refinement_keys,
+      input_keys,
+      gate_keys};
   return all;
 }
 
 const std::vector<KeyTable>& campaign_key_tables() {
   static const std::vector<KeyTable> all{
-      campaign_table,
+      campaign_keys,
       key_table("problem", "[[problem]]", "no",
                 "A problem with an exact solution, solved at several resolutions: see "
                 "[Verification problems](campaigns.md#verification-problems).",
                 {{"name", text("problem name"), yes, "Each problem may appear once."},
                  {"gate", tables("[[problem.gate]]"), yes, "One row or more, below."}}),
-      problem_gate_table,
+      problem_gate_keys,
       key_table(
           "sweep", "[[sweep]]", "no",
           "Adds runs to the campaign's cases, one for every combination of the lists, with the "
@@ -167,7 +167,7 @@ const std::vector<KeyTable>& campaign_key_tables() {
             "A pattern of the table's keys, as in {scheme}_{particle_spacing_m}: see [[run]]."},
            {"gate", tables("[[sweep.gate]]"), no,
             "Rows as [[gate]], for each run, which is their candidate."}}),
-      timing_table};
+      timing_keys};
   return all;
 }
 

@@ -134,9 +134,9 @@ class CaseReader {
   }
 
   void read_head() {
-    only_known_keys_ = allow([&] { root_.allow_only(case_table.names()); });
+    only_known_keys_ = allow([&] { root_.allow_only(case_keys.names()); });
     std::set<std::string> refused;
-    for (const Field<CaseDefinition>& row : case_table.fields)
+    for (const Field<CaseDefinition>& row : case_keys.fields)
       if (row.read && !allow_at(row.name, [&] { row.read(row, root_, definition_, definition_); }))
         refused.insert(row.name);
     gravity_ = !refused.contains("gravity_m_s2");
@@ -144,18 +144,18 @@ class CaseReader {
   }
 
   void read_tank_and_time() {
-    tank_ = section("tank", definition_.tank, tank_table);
+    tank_ = section("tank", definition_.tank, tank_keys);
     if (tank_ && !is_rectangle(definition_.tank))
       tank_ = allow([&] { refuse_beside_outline(root_, definition_); });
-    liquid_ = tank_ && section("liquid", definition_.liquid, liquid_table);
+    liquid_ = tank_ && section("liquid", definition_.liquid, liquid_keys);
     if (liquid_) allow([&] { read_gas(); });
-    time_ = part("time", time_table);
+    time_ = part("time", time_keys);
     if (time_ && root_.has("animation")) {
       Animation animation{};
-      section("animation", animation, animation_table);
+      section("animation", animation, animation_keys);
       definition_.animation_times = animation.times;
     }
-    motion_ = tank_ && time_ && section("motion", definition_.motion, motion_table);
+    motion_ = tank_ && time_ && section("motion", definition_.motion, motion_keys);
     if (gravity_ && motion_ && definition_.gravity == 0 && definition_.motion.still())
       allow([&] {
         root_.refuse("gravity_m_s2",
@@ -166,16 +166,16 @@ class CaseReader {
   void read_gas() {
     definition_.gas = air;
     if (root_.has("gas") || !(air.density < definition_.liquid.density))
-      definition_.gas = whole(root_.table("gas"), gas_table);
+      definition_.gas = whole(root_.table("gas"), gas_keys);
   }
 
   // At least one gauge of either kind is required.
   void read_gauges() {
     if (!tank_ || !time_ || !(liquid_ || is_rectangle(definition_.tank))) return;
-    gauges_ = each_named("gauge", definition_.gauges, gauge_table, &refused_gauges_);
-    gauges_ &= each_named("pressure_gauge", definition_.pressure_gauges, pressure_gauge_table,
+    gauges_ = each_named("gauge", definition_.gauges, gauge_keys, &refused_gauges_);
+    gauges_ &= each_named("pressure_gauge", definition_.pressure_gauges, pressure_gauge_keys,
                           &refused_gauges_);
-    gauges_ &= each_named("probe", definition_.probes, probe_table, &refused_gauges_);
+    gauges_ &= each_named("probe", definition_.probes, probe_keys, &refused_gauges_);
     gauges_ &= wall_forces_;
     if (gauges_ && definition_.gauges.empty() && definition_.pressure_gauges.empty())
       gauges_ = allow_at(
@@ -186,17 +186,17 @@ class CaseReader {
   // An unknown key may be any of the optional sections, misspelt.
   void read_what_shapes_the_flow() {
     impacts_ = only_known_keys_ && gauges_ &&
-               (!root_.has("impacts") || section("impacts", definition_.impacts, impacts_table));
+               (!root_.has("impacts") || section("impacts", definition_.impacts, impacts_keys));
     obstacles_ = liquid_ && gauges_ &&
-                 each_named("obstacle", definition_.obstacles, obstacle_table) &&
+                 each_named("obstacle", definition_.obstacles, obstacle_keys) &&
                  allow([&] { refuse_overlaps(root_.tables("obstacle"), definition_.obstacles); });
     wave_ = only_known_keys_ &&
             (!root_.has("initial_wave") ||
-             (obstacles_ && section("initial_wave", definition_.initial_wave, initial_wave_table)));
+             (obstacles_ && section("initial_wave", definition_.initial_wave, initial_wave_keys)));
   }
 
   void read_comparison() {
-    comparison_ = gravity_ && liquid_ && motion_ && wave_ && part("comparison", comparison_table) &&
+    comparison_ = gravity_ && liquid_ && motion_ && wave_ && part("comparison", comparison_keys) &&
                   allow([&] { refuse_breadth_of_outline(root_, definition_); });
   }
 
@@ -255,16 +255,16 @@ class CaseReader {
 
   void read_row(const TomlTable& row) {
     allow([&] {
-      if (can_judge_row(row)) definition_.gate.push_back(whole(row, gate_table));
+      if (can_judge_row(row)) definition_.gate.push_back(whole(row, gate_keys));
     });
   }
 
   void read_what_names_runs() {
     bool inputs = false;
     if (runs_) {
-      each_named("refinement", definition_.refinements, refinement_table);
+      each_named("refinement", definition_.refinements, refinement_keys);
       inputs = comparison_ && each("input", [&](const TomlTable& input) {
-                 definition_.inputs.push_back(whole(input, input_table));
+                 definition_.inputs.push_back(whole(input, input_keys));
                });
     }
     each("gate", [&](const TomlTable& group) {

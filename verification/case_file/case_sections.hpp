@@ -44,39 +44,39 @@ std::vector<std::string> names_of(const All& all) {
 // The tables of the keys of each struct, in the order in which a case is read. What a table needs
 // of the case must have been read: the tank for all that stands in it, the runs for what names
 // them.
-extern const FieldTable<CaseDefinition> case_table;
-extern const FieldTable<TankDefinition> tank_table;
-extern const FieldTable<LiquidDefinition> liquid_table;  // without properties, of water
-extern const FieldTable<GasDefinition> gas_table;
-extern const FieldTable<CaseDefinition> time_table;
+extern const FieldTable<CaseDefinition> case_keys;
+extern const FieldTable<TankDefinition> tank_keys;
+extern const FieldTable<LiquidDefinition> liquid_keys;  // without properties, of water
+extern const FieldTable<GasDefinition> gas_keys;
+extern const FieldTable<CaseDefinition> time_keys;
 struct Animation {
   double begin, end, interval;     // [s]
   std::vector<double> times = {};  // [s]
 };
-extern const FieldTable<Animation> animation_table;
-extern const FieldTable<GaugeDefinition> gauge_table;
-extern const FieldTable<PressureGaugeDefinition> pressure_gauge_table;
-extern const FieldTable<ProbeDefinition> probe_table;
-extern const FieldTable<ImpactsDefinition> impacts_table;
-extern const FieldTable<ObstacleDefinition> obstacle_table;
-extern const FieldTable<InitialWaveDefinition> initial_wave_table;
-extern const FieldTable<CaseDefinition> comparison_table;
-extern const FieldTable<SphRun> sph_table;
-extern const FieldTable<InterFoamRun> interfoam_table;
-extern const FieldTable<LinearRun> linear_table;
-extern const FieldTable<ViscousWaveRun> viscous_wave_table;
-extern const FieldTable<PotentialRun> potential_table;
-extern const FieldTable<RecordRun> record_table, experiment_table;  // shipped, and the user's own
-extern const FieldTable<ExternalRun> external_table, pysph_table;
-extern const FieldTable<StoredRun> stored_table;
-extern const FieldTable<SeriesSource> series_table;
-extern const FieldTable<RefinementDefinition> refinement_table;
-extern const FieldTable<InputUncertainty> input_table;
-extern const FieldTable<GateRow> gate_table;
-extern const FieldTable<MotionDefinition> motion_table;
-extern const FieldTable<TimingDefinition> timing_table;
-extern const FieldTable<CampaignDefinition> campaign_table;
-extern const FieldTable<ProblemGateRow> problem_gate_table;
+extern const FieldTable<Animation> animation_keys;
+extern const FieldTable<GaugeDefinition> gauge_keys;
+extern const FieldTable<PressureGaugeDefinition> pressure_gauge_keys;
+extern const FieldTable<ProbeDefinition> probe_keys;
+extern const FieldTable<ImpactsDefinition> impacts_keys;
+extern const FieldTable<ObstacleDefinition> obstacle_keys;
+extern const FieldTable<InitialWaveDefinition> initial_wave_keys;
+extern const FieldTable<CaseDefinition> comparison_keys;
+extern const FieldTable<SphRun> sph_keys;
+extern const FieldTable<InterFoamRun> interfoam_keys;
+extern const FieldTable<LinearRun> linear_keys;
+extern const FieldTable<ViscousWaveRun> viscous_wave_keys;
+extern const FieldTable<PotentialRun> potential_keys;
+extern const FieldTable<RecordRun> record_keys, experiment_keys;  // shipped, and the user's own
+extern const FieldTable<ExternalRun> external_keys, pysph_keys;
+extern const FieldTable<StoredRun> stored_keys;
+extern const FieldTable<SeriesSource> series_keys;
+extern const FieldTable<RefinementDefinition> refinement_keys;
+extern const FieldTable<InputUncertainty> input_keys;
+extern const FieldTable<GateRow> gate_keys;
+extern const FieldTable<MotionDefinition> motion_keys;
+extern const FieldTable<TimingDefinition> timing_keys;
+extern const FieldTable<CampaignDefinition> campaign_keys;
+extern const FieldTable<ProblemGateRow> problem_gate_keys;
 
 // [motion.surge], [motion.roll] and the tables in them.
 std::vector<KeyTable> motion_tables();
@@ -133,7 +133,7 @@ Rule<double> a_particle_spacing(const CaseDefinition& definition);
 void refuse_shared_method(const TomlTable& table, const RunDefinition& run,
                           const CaseDefinition& definition);
 
-// Reads what the rows of gate_table do not.
+// Reads what the rows of gate_keys do not.
 void finish_gate_row(const TomlTable& row, const CaseDefinition& definition, GateRow& gate_row);
 
 // Returns the rows of a [[gate]]. The definition's runs must have been read.

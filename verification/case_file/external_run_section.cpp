@@ -53,7 +53,7 @@ void finish_series(const TomlTable& series, const CaseDefinition&, SeriesSource&
 }
 
 SeriesSource read_series(const TomlTable& series, const CaseDefinition& definition, Files files) {
-  SeriesSource source = series_table(series, definition);
+  SeriesSource source = series_keys(series, definition);
   source.file = files == Files::beside_case_file
                     ? stored_file(series, "file", definition)
                     : fs::path(series.get("file", path_below("a file's", work_directory)));
@@ -236,7 +236,7 @@ void finish_pysph(const TomlTable& run, const CaseDefinition& definition, Extern
 
 }  // namespace
 
-const FieldTable<ExternalRun> external_table{
+const FieldTable<ExternalRun> external_keys{
     key_table("run.external", "[[run]] with solver = \"external\"", "no",
               "A program of yours, started without a shell: see [Other solvers](other_solvers.md).",
               {}, {"external"}),
@@ -277,7 +277,7 @@ const FieldTable<ExternalRun> external_table{
      {{"series", tables("[[run.series]]"), yes, "One table or more, below."}}},
     finish_external};
 
-const FieldTable<StoredRun> stored_table{
+const FieldTable<StoredRun> stored_keys{
     key_table(
         "run.stored", "[[run]] with solver = \"stored\"", "no",
         "A result that another code left elsewhere: it is read, and no program is started. See "
@@ -297,7 +297,7 @@ const FieldTable<StoredRun> stored_table{
      {{"series", tables("[[run.series]]"), where("without file"), "One table or more, below."}}},
     finish_stored};
 
-const FieldTable<SeriesSource> series_table{
+const FieldTable<SeriesSource> series_keys{
     {"run.series", "[[run.series]]", "with solver = \"external\" or \"stored\", one or more",
      "A series that the program leaves."},
     {field("quantity", &SeriesSource::quantity,
@@ -328,7 +328,7 @@ const FieldTable<SeriesSource> series_table{
            "such a file gives the force on one wall, `force_x@WALL`.")},
     finish_series};
 
-const FieldTable<ExternalRun> pysph_table{
+const FieldTable<ExternalRun> pysph_keys{
     key_table("run.pysph", "[[run]] with solver = \"pysph\"", "no",
               "PySPH, from Debian's package python3-pysph, by the driver that Slosh ships: see "
               "[PySPH](other_solvers.md#pysph). It is an external run of the method pysph_SCHEME. "

@@ -181,7 +181,7 @@ void refuse_place_outside(const TomlTable& probe, const CaseDefinition& definiti
 
 }  // namespace
 
-const FieldTable<GaugeDefinition> gauge_table{
+const FieldTable<GaugeDefinition> gauge_keys{
     {"gauge", "[[gauge]]", "at least one gauge of either kind",
      "A gauge of the surface's elevation. SPH measures the depth of liquid there, so a gauge "
      "should stand six particle spacings away from an obstacle: nearer, it reads too low."},
@@ -190,7 +190,7 @@ const FieldTable<GaugeDefinition> gauge_table{
            "The distance from the left wall. In a tank that is no rectangle it lies where the "
            "still surface reaches at the fill depth.")}};
 
-const FieldTable<PressureGaugeDefinition> pressure_gauge_table{
+const FieldTable<PressureGaugeDefinition> pressure_gauge_keys{
     {"pressure_gauge", "[[pressure_gauge]]", "at least one gauge of either kind",
      "A pressure sensor in a wall."},
     {field("name", &PressureGaugeDefinition::name, name(), yes, "The NAME in wall_pressure@NAME."),
@@ -210,7 +210,7 @@ const FieldTable<PressureGaugeDefinition> pressure_gauge_table{
            "Adds the series wall_pressure@NAME/filtered, through a low-pass filter.")},
     read_place};
 
-const FieldTable<ProbeDefinition> probe_table{
+const FieldTable<ProbeDefinition> probe_keys{
     {"probe", "[[probe]]", "no",
      "A place in the tank, which moves with it, where velocity and pressure are recorded. The "
      "velocity is relative to the tank, along its axes. While the surface is below the place, "
@@ -225,7 +225,7 @@ const FieldTable<ProbeDefinition> probe_table{
            yes, "The height above the bottom.")},
     refuse_place_outside};
 
-const FieldTable<ImpactsDefinition> impacts_table{
+const FieldTable<ImpactsDefinition> impacts_keys{
     {"impacts", "[impacts]", "no",
      "Published impacts on a pressure gauge, for the metrics of impacts."},
     {field("gauge", &ImpactsDefinition::gauge,

@@ -348,7 +348,7 @@ TableMotion read_roll_table(const TableFile& table) {
   return motion;
 }
 
-const FieldTable<MotionDefinition> motion_table{
+const FieldTable<MotionDefinition> motion_keys{
     {"motion", "[motion]", "yes", "The tank stands still, surges, rolls, or does both."},
     {{{"still", constant("true"), where("where neither table is there"), "The tank stands."}},
      {{"surge", table("[motion.surge]"), no}},

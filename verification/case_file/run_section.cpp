@@ -243,8 +243,8 @@ struct SolverSection {
 };
 
 const SolverSection solver_sections[] = {
-    sph_table,    interfoam_table,  linear_table,   viscous_wave_table, potential_table,
-    record_table, experiment_table, external_table, stored_table,       pysph_table};
+    sph_keys,    interfoam_keys,  linear_keys,   viscous_wave_keys, potential_keys,
+    record_keys, experiment_keys, external_keys, stored_keys,       pysph_keys};
 
 Keys solver_names() {
   Keys names;
@@ -286,7 +286,7 @@ RunDefinition read_run(const TomlTable& run, const CaseDefinition& definition) {
 
 }  // namespace
 
-const FieldTable<SphRun> sph_table{
+const FieldTable<SphRun> sph_keys{
     key_table("run.sph", "[[run]] with solver = \"sph\"", "no",
               "An SPH run. [SPH schemes](schemes.md) lists the schemes and their variants.", {},
               {"sph"}),
@@ -346,7 +346,7 @@ const FieldTable<SphRun> sph_table{
            "Whether the run records where the liquid's energy goes.")},
     finish_sph};
 
-const FieldTable<InterFoamRun> interfoam_table{
+const FieldTable<InterFoamRun> interfoam_keys{
     key_table(
         "run.interfoam",
         "[[run]] with solver = \"interfoam\", \"interisofoam\" or \"compressible_interfoam\"", "no",
@@ -400,7 +400,7 @@ const FieldTable<InterFoamRun> interfoam_table{
      {{"vary_inputs", flag(), no, "The same as for SPH."}}},
     finish_interfoam};
 
-const FieldTable<LinearRun> linear_table{
+const FieldTable<LinearRun> linear_keys{
     key_table(
         "run.linear", "[[run]] with solver = \"linear\"", "no",
         "Linear potential theory, in closed form, or in a tank that is no rectangle by spectral "
@@ -420,7 +420,7 @@ const FieldTable<LinearRun> linear_table{
            "never gates.")},
     finish_linear};
 
-const FieldTable<ViscousWaveRun> viscous_wave_table{
+const FieldTable<ViscousWaveRun> viscous_wave_keys{
     key_table(
         "run.viscous_wave", "[[run]] with solver = \"viscous_wave\"", "no",
         "The exact linear wave of a viscous liquid (Prosperetti 1976), of a still tank's initial "
@@ -431,7 +431,7 @@ const FieldTable<ViscousWaveRun> viscous_wave_table{
            yes, "The same as for linear theory.")},
     refuse_breadth<ViscousWaveRun>};
 
-const FieldTable<PotentialRun> potential_table{
+const FieldTable<PotentialRun> potential_keys{
     key_table("run.potential", "[[run]] with solver = \"potential\"", "no",
               "Fully nonlinear potential flow, spectral. The run ends where the solution leaves "
               "its range. "
@@ -443,7 +443,7 @@ const FieldTable<PotentialRun> potential_table{
            "The number of nodes over the depth. Default: 24.")},
     refuse_breadth<PotentialRun>};
 
-const FieldTable<RecordRun> record_table{
+const FieldTable<RecordRun> record_keys{
     key_table("run.record", "[[run]] with solver = \"record\", shipped", "no",
               "A published series that lies beside the case file. It serves only as a reference.",
               {}, {"record"}),
@@ -457,7 +457,7 @@ const FieldTable<RecordRun> record_table{
        "Half the width of the record's 95 % interval."}}},
     finish_record};
 
-const FieldTable<RecordRun> experiment_table{
+const FieldTable<RecordRun> experiment_keys{
     key_table("run.experiment", "[[run]] with solver = \"record\", supplied by the user", "no",
               "A published series below the directory that `--experiments` or "
               "`SLOSH_EXPERIMENTS` names. Rows that need it are not compared where it is absent.",

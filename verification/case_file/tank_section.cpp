@@ -172,7 +172,7 @@ void refuse_wave(const TomlTable& wave, const CaseDefinition& definition,
 
 }  // namespace
 
-const FieldTable<TankDefinition> tank_table{
+const FieldTable<TankDefinition> tank_keys{
     {"tank", "[tank]", "yes",
      "A tank, seen from the side: a rectangle, a polygon or a lying cylinder. x counts from its "
      "left end and z from its lowest place. Beside outline_m or diameter_m there is no obstacle, "
@@ -200,7 +200,7 @@ const FieldTable<TankDefinition> tank_table{
            "friction.")},
     read_outline};
 
-const FieldTable<LiquidDefinition> liquid_table{
+const FieldTable<LiquidDefinition> liquid_keys{
     {"liquid", "[liquid]", "yes", ""},
     {field("fill_depth_m", &LiquidDefinition::fill_depth, number("m").above(0).below(tank_height),
            yes, "The still depth."),
@@ -217,7 +217,7 @@ const FieldTable<LiquidDefinition> liquid_table{
     {},
     {.fill_depth = 0, .density = water_density, .kinematic_viscosity = water_kinematic_viscosity}};
 
-const FieldTable<GasDefinition> gas_table{
+const FieldTable<GasDefinition> gas_keys{
     {"gas", "[gas]", "no",
      fmt::format(
          "The gas above the liquid, for OpenFOAM and the two-layer theory. Without it the gas is "
@@ -228,7 +228,7 @@ const FieldTable<GasDefinition> gas_table{
      field("kinematic_viscosity_m2_s", &GasDefinition::kinematic_viscosity,
            number("m2/s").at_least(0), yes)}};
 
-const FieldTable<ObstacleDefinition> obstacle_table{
+const FieldTable<ObstacleDefinition> obstacle_keys{
     {"obstacle", "[[obstacle]]", "no",
      "A solid rectangle that the tank carries. Rectangles may touch and must not overlap. None "
      "may reach from wall to wall, fill a gauge's column from the bottom to the still level, "
@@ -242,7 +242,7 @@ const FieldTable<ObstacleDefinition> obstacle_table{
            number("m from the bottom").above(Bound("bottom_m")).at_most(tank_height), yes)},
     refuse_places};
 
-const FieldTable<InitialWaveDefinition> initial_wave_table{
+const FieldTable<InitialWaveDefinition> initial_wave_keys{
     {"initial_wave", "[initial_wave]", "no, and not with column_width_m or an obstacle",
      "A standing wave A cos(mode pi x / L) that is released from rest; x counts from the left "
      "wall."},

@@ -126,7 +126,7 @@ void end_window(const TomlTable& comparison, const CaseDefinition&, CaseDefiniti
 
 }  // namespace
 
-const FieldTable<CaseDefinition> time_table{
+const FieldTable<CaseDefinition> time_keys{
     {"time", "[time]", "yes", ""},
     {field("start", &CaseDefinition::start, start_names,
            "the frame in which the liquid is first at rest (earth: the liquid stands still and a "
@@ -143,7 +143,7 @@ const FieldTable<CaseDefinition> time_table{
            increasing_list_of(number("s").above(0).at_most(case_duration).by(sampled)), no,
            "The times at which fields are kept: multiples of sample_interval_s.")}};
 
-const FieldTable<Animation> animation_table{
+const FieldTable<Animation> animation_keys{
     {"animation", "[animation]", "no",
      "SPH and OpenFOAM keep their fields at 3 to 60 moments, and the report plays the finest run "
      "of each scheme and of each program of OpenFOAM side by side."},
@@ -154,7 +154,7 @@ const FieldTable<Animation> animation_table{
            number("s").above(0).at_most(case_duration).by(sampled), yes)},
     list_times};
 
-const FieldTable<CaseDefinition> comparison_table{
+const FieldTable<CaseDefinition> comparison_keys{
     {"comparison", "[comparison]", "yes", "The window in which histories are compared."},
     {field("window_begin_s", &CaseDefinition::window_begin, number("s").at_least(0), yes),
      field("window_end_s", &CaseDefinition::window_end,

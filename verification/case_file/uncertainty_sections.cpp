@@ -124,7 +124,7 @@ void finish_input(const TomlTable& table, const CaseDefinition& definition,
 
 }  // namespace
 
-const FieldTable<RefinementDefinition> refinement_table{
+const FieldTable<RefinementDefinition> refinement_keys{
     {"refinement", "[[refinement]]", "no",
      "Runs that differ in one number only. They give the order and the numerical uncertainty."},
     {field("name", &RefinementDefinition::name, name(), yes),
@@ -136,7 +136,7 @@ const FieldTable<RefinementDefinition> refinement_table{
        "OpenFOAM."}}},
     finish_refinement};
 
-const FieldTable<InputUncertainty> input_table{
+const FieldTable<InputUncertainty> input_keys{
     {"input", "[[input]]", "no", "An input that the experiment knows only within an interval."},
     {{{"name", text(), yes,
        "fill_depth, period, amplitude, start_phase, sensor_position, density, kinematic_viscosity "

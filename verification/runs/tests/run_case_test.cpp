@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "verification/case/quantities.hpp"
 #include "verification/case_file/case_parser.hpp"
 #include "verification/files/hdf5_handles.hpp"
 #include "verification/solvers/particles/state_file.hpp"
