@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::ArrayXd, Eigen::MatrixXd, Eigen::RowVectorXd, Eigen::VectorXd;
 
-// A wave has its second and third harmonics among the modes.
-constexpr int fewest_wave_modes = 16, most_wave_modes = 64, harmonics = 3;
+// The second and third harmonics of a wave are far from the last modes, which are smoothed.
+constexpr int fewest_wave_modes = 16, most_wave_modes = 64, modes_of_wave = 4;
 constexpr double step_of_fastest = 0.3;  // [rad] of the last mode in one step
 constexpr double share_of_step = 1e-2;   // of the difference along the solution
 // The last modes would grow from rounding, as in nonlinear_potential_flow.cpp.
@@ -41,7 +41,7 @@ struct State {
 };
 
 int count_of_modes(const ThirdOrderWaves& waves) {
-  return std::clamp(harmonics * waves.initial_wave.mode, fewest_wave_modes, most_wave_modes);
+  return std::clamp(modes_of_wave * waves.initial_wave.mode, fewest_wave_modes, most_wave_modes);
 }
 
 class Waves {
@@ -81,10 +81,9 @@ class Waves {
     State state{VectorXd::Zero(modes),
                 -waves_.initial_velocity * along_ - waves_.initial_spin * around_};
     const auto& [mode, amplitude] = waves_.initial_wave;
-    if (harmonics * mode <= most_wave_modes)
-      state.elevation[mode - 1] = amplitude;
-    else
-      state.elevation.setConstant(std::nan(""));
+    const bool is_held = modes_of_wave * mode <= most_wave_modes;
+    if (amplitude != 0)
+      state.elevation[is_held ? mode - 1 : 0] = is_held ? amplitude : std::nan("");
     return state;
   }
 

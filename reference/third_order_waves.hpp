@@ -49,8 +49,9 @@ struct ThirdOrderWaves {
 
 // The waves at the requested times. Places are measured from the CENTRE of the still surface, x
 // along it and z up [m]; those below the bottom count as on it. All but linear_elevation() is what
-// the third order adds to the linear theory of the same modes, and is not finite where the waves
-// outgrow the expansion, nor for an initial wave of a mode above 21. Functions throw std::invalid_argument for a place outside the walls.
+// the third order adds to the linear theory of the same modes. It is not finite where the waves
+// outgrow the expansion. Of an initial wave of a mode above 16 nothing is finite. Functions throw
+// std::invalid_argument for a place outside the walls.
 class ThirdOrderRecord {
  public:
   std::vector<double> linear_elevation(double x) const;  // [m]

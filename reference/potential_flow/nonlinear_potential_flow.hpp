@@ -4,7 +4,7 @@
 // length. The solution is valid for an inviscid liquid whose surface neither breaks nor reaches the
 // roof, and while the grid resolves it. The run checks these conditions and ends where one fails.
 //
-// Accuracy in Li's tank (nonlinear_convergence_test.cpp, nonlinear_order_test.cpp): a standing wave
+// Accuracy in Li's tank (nonlinear_convergence_test.cpp): a standing wave
 // of 20 mm has converged to 2e-11 m with 24 nodes along x. A wave with smooth forcing has converged
 // to 6e-10 m with 48 nodes and to 3e-11 m with 64, but only to 2e-9 m on the wall itself: at a wall
 // that accelerates the surface has a slope and its curvature is singular, so that a cosine series
@@ -21,7 +21,7 @@
 //
 // An acceleration a at 0 s excites the n-th mode as n^-2. The short waves that no grid resolves are
 // then part of the solution, and `unresolved` may exceed its limit by 8 a length/(g nodes_x^2 A)
-// (nonlinear_start_test.cpp). Measured in a tank of 1.73 m with a = 0.076 g, over 6 s: 48 nodes
+// (nonlinear_range_test.cpp). Measured in a tank of 1.73 m with a = 0.076 g, over 6 s: 48 nodes
 // differ from 96 by 3e-4 rms of the wave at 0.05 m from the wall and by 5e-4 on it, 64 by 2e-4 and
 // 3e-4. The surface then steepens, and 48 and 64 nodes no longer resolve it after 9.0 s, 96 after
 // 14.4 s.

@@ -20,7 +20,7 @@ constexpr double step_tolerance = 1e-13;  // [m], [m/s]
 
 constexpr double longest_step = 0.02;  // in first natural periods, so that no motion is missed
 
-// modal_third_order_test.cpp measures how the error grows with the amplitude. In shallower liquid
+// third_order_waves_test.cpp measures how the error grows with the amplitude. In shallower liquid
 // the second and third modes resonate with the first. At the critical depth
 // d(frequency)/d(amplitude^2) vanishes, which is all that the theory adds near resonance.
 constexpr double greatest_amplitude = 0.08, greatest_share = 0.5;

@@ -84,7 +84,7 @@ TEST(ThirdOrderWaves, HaveTheFrequencyOfTadjbakhshAndKeller) {
 // a tank of length L / m.
 TEST(ThirdOrderWaves, OfAHighModeAreThoseOfTheFirstInAShorterTank) {
   const auto times = instants_up_to(3, 0.01);
-  for (const int mode : {5, 14, 20}) {
+  for (const int mode : {5, 11, 16}) {
     const Tank whole{.length = 1, .fill_depth = 0.35, .gravity = 9.81, .density = 1000};
     Tank part = whole;
     part.length /= mode;
@@ -108,8 +108,8 @@ TEST(ThirdOrderWaves, AreNotFiniteWhereTheyOutgrowTheExpansionAndRefuseAnImpossi
                                        instants_up_to(20, 0.05));
   EXPECT_FALSE(std::isfinite(steep.elevation(0.5).back()));
   const auto short_wave = third_order_waves(
-      {.tank = {1, 0.35, 9.81, 1000}, .initial_wave = {22, 1e-4}}, instants_up_to(1, 0.05));
-  EXPECT_FALSE(std::isfinite(short_wave.elevation(0.5).back())) << "its third harmonic is 66";
+      {.tank = {1, 0.35, 9.81, 1000}, .initial_wave = {17, 1e-4}}, instants_up_to(1, 0.05));
+  EXPECT_FALSE(std::isfinite(short_wave.elevation(0.5).back())) << "it needs 68 modes";
   EXPECT_THROW(third_order_waves({.tank = {1, -0.35, 9.81, 1000}}, {0, 1}), std::invalid_argument);
   EXPECT_THROW(third_order_waves({.tank = {1, 0.35, 9.81, 1000}}, {0, 1}).elevation(0.6),
                std::invalid_argument);

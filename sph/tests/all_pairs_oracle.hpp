@@ -96,7 +96,7 @@ inline const KernelFormula quintic_formula{
              (power_of_rest(3, s, 4) - 6 * power_of_rest(2, s, 4) + 15 * power_of_rest(1, s, 4));
     }};
 
-// A fitted polynomial, which kernels_test compares with the Bessel function.
+// A fitted polynomial, which terms_test.cpp compares with the Bessel function.
 inline const KernelFormula kaiser_bessel_formula{
     [](double q) { return KaiserBessel::normalisation * KaiserBessel::shape(q); },
     [](double q) { return KaiserBessel::normalisation * q * KaiserBessel::gradient_shape(q); }};

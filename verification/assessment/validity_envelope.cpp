@@ -88,10 +88,16 @@ void add_too_near_resonance(const LinearRun& linear, const CaseDefinition& defin
   }
 }
 
-// The share of the first wave that the liquid damps in its bulk until the window's end, 1 - exp(-2
+// [1/m], of the initial wave or else of the first mode.
+double wave_number(const CaseDefinition& definition) {
+  const int mode = definition.initial_wave ? definition.initial_wave->mode : 1;
+  return mode * pi / still_surface(definition).length();
+}
+
+// The share of that wave which the liquid damps in its bulk until the window's end, 1 - exp(-2
 // nu k^2 t) (Lamb, Hydrodynamics, article 348).
 double share_lost_to_viscosity(const CaseDefinition& definition) {
-  const double k = pi / still_surface(definition).length();
+  const double k = wave_number(definition);
   return -std::expm1(-2 * definition.liquid.kinematic_viscosity * k * k * definition.window_end);
 }
 
@@ -99,7 +105,7 @@ void add_without_viscosity(const CaseDefinition& definition, Reasons& reasons) {
   const double lost = share_lost_to_viscosity(definition);
   if (!(lost <= most_left_out))
     reasons.push_back(
-        fmt::format("has no viscosity, by which the first wave loses {:.2g} % until {:.4g} s, "
+        fmt::format("has no viscosity, by which the wave loses {:.2g} % until {:.4g} s, "
                     "valid to {:g} %",
                     100 * lost, definition.window_end, 100 * most_left_out));
 }
@@ -179,7 +185,7 @@ std::string small_wave_range(double valid_elevation_over_depth, const CaseDefini
 }
 
 std::string viscosity_range(const CaseDefinition& definition) {
-  return fmt::format("; a loss of the first wave to viscosity of at most {:g} %, here {:.2g} %",
+  return fmt::format("; a loss of the wave to viscosity of at most {:g} %, here {:.2g} %",
                      100 * most_left_out, 100 * share_lost_to_viscosity(definition));
 }
 
@@ -244,9 +250,8 @@ std::string validity_range(const CaseDefinition& definition, const RunDefinition
 }
 
 double predicted_steepness(const CaseDefinition& definition, const RunResult& result) {
-  const int mode = definition.initial_wave ? definition.initial_wave->mode : 1;
-  return mode * pi / still_surface(definition).length() *
-         recorded(result, "highest_elevation_over_depth") * definition.liquid.fill_depth;
+  return wave_number(definition) * recorded(result, "highest_elevation_over_depth") *
+         definition.liquid.fill_depth;
 }
 
 std::optional<std::string> outside_validity(const CaseDefinition& definition,

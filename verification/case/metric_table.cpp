@@ -34,7 +34,7 @@ constexpr std::array<MetricEntry, metric_count> metric_rows() {
         below(180, unit, "a lag is known but for whole periods, so none is larger", 180)},
        {Metric::frequency_error, "frequency_error", "1", "error of the frequency", natural_mode,
         Fit::of_both, nothing, of_natural_modes, any_bound,
-        below(0.1, unit, "a mode is sought within a tenth of its frequency")},
+        below(0.22, unit, "both frequencies are sought within a tenth of theory's")},
        {Metric::decay_rate, "decay_rate", "1/s", "decay rate", natural_mode, Fit::of_candidate,
         nothing, of_natural_modes, any_bound,
         below(100, unit, "a mode that is gone after 0.01 s cannot be seen")},

@@ -139,8 +139,8 @@ class CaseReader {
     for (const Field<CaseDefinition>& row : case_keys.fields)
       if (row.read && !allow_at(row.name, [&] { row.read(row, root_, definition_, definition_); }))
         refused.insert(row.name);
-    gravity_ = !refused.contains("gravity_m_s2");
-    wall_forces_ = !refused.contains("wall_forces");
+    gravity_ = !root_.has("gravity_m_s2") || !refused.contains("gravity_m_s2");
+    wall_forces_ = !root_.has("wall_forces") || !refused.contains("wall_forces");
   }
 
   void read_tank_and_time() {

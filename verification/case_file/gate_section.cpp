@@ -247,7 +247,7 @@ void read_own_series(const TomlTable& row, const MetricEntry& metric,
                           : row.get("unit", any_text());
   }
   const bool takes_the_rest = metric.metric == Metric::largest_magnitude &&
-                              !gate_row.quantity.starts_with("elevation@");
+                              (gate_row.unit == "Pa" || gate_row.unit.starts_with("N"));
   if ((metric.metric == Metric::initial_value || takes_the_rest) &&
       counts_from_its_first_value(definition, gate_row.candidate, gate_row.quantity))
     row.refuse("metric",

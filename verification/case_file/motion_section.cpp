@@ -291,15 +291,17 @@ std::vector<KeyTable> tables_of(const HistoryForm& form, const std::string& mean
        "Default: \"spline\"."}};
   keys.insert(keys.end(), of_table.begin(), of_table.end());
   keys.insert(keys.end(), of_axis.begin(), of_axis.end());
-  return {
-      key_table(form.table, heading, "no", meaning, keys),
-      key_table(form.table + ".sines", of_sines, "with type = \"sines\"",
-                "The motion is the sum of two sines or more, each with its own ramp. They read "
-                "best as one list, which may run over several lines: `sines = [{ amplitude_m = "
-                "0.02, period_s = 1.3 }, { amplitude_m = 0.005, period_s = 0.7, phase_deg = 90 "
-                "}]`. Each frequency has a forced mode: forced_1, forced_2, ..., of which those "
-                "of a surge come first.",
-                keys_of_sine(form, yes, one_of_three(), "", "Periods of this sine."))};
+  return {key_table(form.table, heading, "no", meaning, keys),
+          key_table(
+              form.table + ".sines", of_sines, "with type = \"sines\"",
+              fmt::format(
+                  "The motion is the sum of two sines or more, each with its own ramp. They read "
+                  "best as one list, which may run over several lines: `sines = [{{ {0} = "
+                  "0.02, period_s = 1.3 }}, {{ {0} = 0.005, period_s = 0.7, phase_deg = 90 "
+                  "}}]`. Each frequency has a forced mode: forced_1, forced_2, ..., of which those "
+                  "of a surge come first.",
+                  form.amplitude_key),
+              keys_of_sine(form, yes, one_of_three(), "", "Periods of this sine."))};
 }
 
 }  // namespace

@@ -252,7 +252,7 @@ constexpr const char* hdf5_mark = "\x89HDF";
 // A pipe would be waited for.
 void require_plain_file(const char* role, const std::filesystem::path& file) {
   if (std::filesystem::exists(file) && !is_plain_file(file))
-    throw CaseFileError(fmt::format("{} = {}: expected a file of a disk", role, file.string()));
+    throw CaseFileError(fmt::format("{} = {}: expected a regular file", role, file.string()));
 }
 
 // A result file, or a plain table whose columns the case tells.

@@ -27,6 +27,16 @@
 namespace slosh {
 namespace {
 
+// A record of an earlier run may be that of the candidate's own method.
+bool are_of_two_methods(const CaseDefinition& definition, const std::string& one,
+                        const std::string& reference) {
+  const RunDefinition &candidate = run_named(definition, one),
+                      &other = run_named(definition, reference);
+  const auto* record = std::get_if<RecordRun>(&other.solver);
+  return !is_theory(other) && candidate.solver.index() != other.solver.index() &&
+         !(record && record->earlier_run);
+}
+
 const RecordRun* record_named(const CaseDefinition& definition, const std::string& run) {
   return std::get_if<RecordRun>(&run_named(definition, run).solver);
 }
@@ -196,9 +206,9 @@ Comparison CaseEvidence::compared(const std::string& candidate, const std::strin
             definition_, quantity, role, cut_to_window(series_of(runs_, run, quantity), window));
         !doubt.empty())
       comparison.doubts.push_back(doubt);
-  // A program that prints theory is one that solves it; but no two methods give the same digits.
+  // No two methods give the same digits, but that a program may print those of a theory.
   if (comparison.maximum_residual == 0 && !comparison.reference_is_constant &&
-      moved.suffix.empty() && !is_theory(run_named(definition_, reference)))
+      moved.suffix.empty() && are_of_two_methods(definition_, candidate, reference))
     comparison.doubts.push_back("the candidate has the reference's values to the last digit");
   comparison.candidate = candidate;
   comparison.reference = reference;
@@ -313,8 +323,8 @@ RowDoubts CaseEvidence::doubts_of_runs(const GateRow& row, const std::set<std::s
   if (row.metric == Metric::mean_offset &&
       counts_from_its_first_value(definition_, row.candidate, row.quantity))
     doubts.text +=
-        "; the candidate counts from its first value, so that what it is off by then is "
-        "not seen";
+        "; the candidate counts from its first value, so that an offset at the start is not "
+        "seen";
   named.insert(rests_on.begin(), rests_on.end());
   const std::string unsound = row.metric == Metric::initial_value
                                   ? std::string()

@@ -94,11 +94,12 @@ bool is_better_than_nothing(Metric metric, const Estimate& value) {
 
 // Wide bounds may hold the error of a candidate that hardly moves, though not that of nothing.
 RowDoubts like_nothing(const GateRow& row, const Estimate& value) {
-  const double nothing = metric_entry(row.metric).widest.nothing;
-  if (row.improves_on || is_p_value(row.metric) || !(value.value / nothing > hardly_moves))
+  const WidestBound& widest = metric_entry(row.metric).widest;
+  const double share = value.value / widest.nothing;
+  if (row.improves_on || std::abs(widest.nothing) != 1 ||
+      !(share + std::abs(value.half_width) >= hardly_moves))
     return {};
-  return {.text = fmt::format("; doubtful: a candidate that does not move has {}",
-                              in_unit(nothing, row.unit)),
+  return {.text = fmt::format("; doubtful: {}", widest.because),
           .keep_from_passing = true,
           .is_doubtful = true};
 }

@@ -1,5 +1,6 @@
 #include "verification/metrics/ensemble_mean.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -41,11 +42,12 @@ double half_width_of(double variance, double freedom) {
   return t95(freedom) * std::sqrt(variance);
 }
 
-// Runs that scatter by so little beside their own intervals are one run, as copies of it are: what
-// its interval is of, they all have.
-double with_own(double scatter, double own) {
+// Runs that scatter by so little beside their own intervals are one run, as copies of it are. The
+// half width is that of their mean.
+double with_own(double half_width, std::size_t runs, double own) {
   constexpr double alike = 0.1;
-  return scatter < alike * own ? std::hypot(scatter, own) : scatter;
+  const double of_one = half_width * std::sqrt(static_cast<double>(runs));
+  return of_one < alike * own ? std::hypot(half_width, own) : half_width;
 }
 
 }  // namespace
@@ -65,11 +67,12 @@ Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSi
                      b = variance_of_mean(of_references, least.references);
   const double value = mean(of_candidates);
   if (a.freedom > 0 && b.freedom > 0)
-    return {value,
-            with_own(half_width_of(a.variance + b.variance, welch_freedom(a, b)), mean(own))};
+    return {value, with_own(half_width_of(a.variance + b.variance, welch_freedom(a, b)),
+                            std::max(pairs.size(), of_references.size()), mean(own))};
   const MeanVariance repeated = a.freedom > 0 ? a : b;
   if (single == SingleSide::exact)
-    return {value, with_own(half_width_of(repeated.variance, repeated.freedom), mean(own))};
+    return {value, with_own(half_width_of(repeated.variance, repeated.freedom),
+                            std::max(pairs.size(), of_references.size()), mean(own))};
   const MeanVariance one_more = with_one_of_many(repeated);
   return {value, std::hypot(half_width_of(one_more.variance, one_more.freedom), mean(own))};
 }

@@ -10,8 +10,8 @@
 // too high and 15 % too low have the same one. Its spread is taken from the series, as |m_i - m_j|
 // is at most the magnitude of c_i - c_j:
 //   s^2 >= sum over i < j of |c_i - c_j|^2 / (n (n - 1))
-// Where the half width is below a tenth of the pairs' own, the mean of these is added in
-// quadrature: repeats that are all but copies tell nothing of what each one's interval is of.
+// Repeats that scatter by less than a tenth of their own intervals are one run, as copies of it
+// are: the mean of these intervals is added in quadrature.
 #pragma once
 
 #include <vector>

@@ -211,7 +211,7 @@ TEST_F(Tool, WritesAMinimalCaseThatPassesByItself) {
   EXPECT_TRUE(holds(typed("explain ./my_tank.toml").out, ": nothing is wrong or doubtful\n"));
   const Ended run = typed("campaign ./my_tank.toml -o out");
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_TRUE(holds(run.out, "PASS: SPH at 20 mm against linear theory: amplitude "));
+  EXPECT_TRUE(holds(run.out, "\nPASS: SPH at 20 mm against linear theory: amplitude "));
   EXPECT_TRUE(holds(
       run.out, "Rows: 1 against exact solutions, 0 own tolerances, 0 regression, 0 experiments."));
   EXPECT_EQ(typed("gate ./my_tank.toml -o out").status, 0);

@@ -180,7 +180,7 @@ TEST(RecordAssessment, StaysWithinTheCasesWindow) {
 }
 
 TEST(RecordAssessment, RejectsAFrontThatIsScaledAndComparesNoneThatIsCutBrokenOrAbsent) {
-  const CaseAssessment scaled = assess_front(front_series(0.01, 1.05));
+  const CaseAssessment scaled = assess_front(front_series(0.01, 1.08));
   expect_all(scaled, Verdict::violated);
   EXPECT_EQ(exit_status({scaled}), exit_violated);
   TimeSeries broken = front_series(0.01);

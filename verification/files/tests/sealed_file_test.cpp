@@ -76,6 +76,22 @@ class SealedFile : public ::testing::TestWithParam<Kind> {
   }
   std::string image() const { return bytes.substr(0, bytes.rfind("\nslosh ")); }
 
+  // Every `step`th of 50 files of which a byte is changed, though their checksums fit.
+  void expect_no_crash(std::size_t step) {
+    int refused = 0;
+    for (std::size_t i = 0; i < 50; i += step) {
+      std::string altered = image();
+      const std::size_t at = 293 * i % std::min<std::size_t>(altered.size(), 8192);
+      altered[at] = static_cast<char>(altered[at] ^ (i % 3 == 0 ? 0xff : 1 << (i % 8)));
+      const std::string words = refusal(resealed(altered));
+      refused += !words.empty();
+      if (!words.empty()) {
+        EXPECT_TRUE(holds(words, name));
+      }
+    }
+    EXPECT_GT(refused, 0);
+  }
+
   MemoryFile memory;  // tens of thousands of writes
   const std::string name = memory.path().string();
   const std::string bytes;
@@ -146,20 +162,8 @@ TEST_P(SealedFile, IsRefusedWhereItLeadsIntoAnotherFileThoughItsChecksumFits) {
   }
 }
 
-TEST_P(SealedFile, CrashesNoReaderWhereAByteIsChangedThoughItsChecksumFits) {
-  int refused = 0;
-  for (std::size_t i = 0; i < 50; ++i) {
-    std::string altered = image();
-    const std::size_t at = 293 * i % std::min<std::size_t>(altered.size(), 8192);
-    altered[at] = static_cast<char>(altered[at] ^ (i % 3 == 0 ? 0xff : 1 << (i % 8)));
-    const std::string words = refusal(resealed(altered));
-    refused += !words.empty();
-    if (!words.empty()) {
-      EXPECT_TRUE(holds(words, name));
-    }
-  }
-  EXPECT_GT(refused, 0);
-}
+TEST_P(SealedFile, CrashesNoReaderOfTenFilesOfWhichAByteIsChanged) { expect_no_crash(5); }
+TEST_P(SealedFile, CrashesNoReaderWhereAByteIsChangedThoughItsChecksumFits) { expect_no_crash(1); }
 
 TEST(SealedJson, IsNoneThatIsNestedTooDeep) {
   const std::size_t levels = 200'000;

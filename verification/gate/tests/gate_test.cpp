@@ -192,7 +192,7 @@ TEST(Gate, PassesWhereTheIntervalIsWithinTheBoundsAndIsInconclusiveWhereItReache
       {between(decay, 0.0215, 0.03), 0, violated},
       {between(decay, 0.01, 0.0185), 0, violated},
       {row_of(Metric::amplitude_error, "forced", "1", 0.99), -0.98, inconclusive,
-       "; doubtful: a candidate that does not move has -100 %"},
+       "; doubtful: a candidate that does not move has -1"},
       {between(amplitude_row, -0.99, 0.05), -0.98, inconclusive, "does not move"},
       {between(amplitude_row, -0.99, 0.05), -0.9, pass},
       {row_of(Metric::phase_lag, "forced", "deg", 170), 0, pass, "1.50 ± 0.10 deg ≤ 170 deg"},

@@ -46,6 +46,10 @@ TEST(EnsembleMean, OfRunsThatScatterHasNoneOfTheirOwn) {
   const Values apart{{1}, {2}, {3}};
   EXPECT_EQ(ensemble_mean(pairs_of(apart, 0.7), SingleSide::exact).half_width,
             ensemble_mean(pairs_of(apart), SingleSide::exact).half_width);
+  Values many;
+  for (int i = 0; i < 200; ++i) many.push_back({2 + 0.3 * std::sin(7.0 * i)});
+  EXPECT_LT(ensemble_mean(pairs_of(many, 0.7), SingleSide::exact).half_width, 0.04)
+      << "their mean is known to less than a tenth of the interval of one";
 }
 
 TEST(EnsembleMean, AddsTheSpreadOfBothSidesAfterWelch) {
