@@ -327,8 +327,8 @@ std::string single_run_text(const GateRow& row, const GateEvidence& evidence) {
 // What the samples and the runs leave open.
 void add_remarks(const std::string& larger_outside, const Estimate& value,
                  const GateEvidence& evidence, GateOutcome& outcome) {
-  std::vector<RowDoubts> doubts{
-      {larger_outside}, like_nothing(outcome.row, value), doubts_of_samples(outcome.row, evidence)};
+  std::vector<RowDoubts> doubts{{larger_outside}, doubts_of_samples(outcome.row, evidence)};
+  if (outcome.verdict == Verdict::pass) doubts.push_back(like_nothing(outcome.row, value));
   if (evidence.doubts_of_runs) doubts.push_back(evidence.doubts_of_runs(outcome.row));
   for (const RowDoubts& one : doubts) {
     outcome.remarks += one.text;

@@ -124,6 +124,8 @@ TEST(ExternalRunSection, ThatCountsFromItsFirstValueIsNotJudgedByIt) {
                   R"(
 -> gate.metric = "initial_value": expected another metric: elevation@right of mine counts from its
   first value
+gate.metric = "largest_magnitude": accepted
+gate.unit = "N/m" & run.series.quantity = "force_x" & gate.quantity = "force_x" & gate.metric = "largest_magnitude": expected another metric: force_x of mine counts from its first value
 run.series.datum is missing: accepted
 )");
 }
