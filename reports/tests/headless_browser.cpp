@@ -115,7 +115,9 @@ const write = () => {
 };
 // A hint follows its box's scroll timeline, which a busy machine gives its state some frames after the load.
 const after = (count, action) => count ? requestAnimationFrame(() => after(count - 1, action)) : action();
-Promise.all(frames.map(frame => new Promise(loaded => frame.addEventListener('load', loaded)))).then(() => {
+// A busy machine may have loaded a frame before it comes here.
+const is_loaded = frame => frame.contentDocument.readyState == 'complete' && frame.contentWindow.location.href != 'about:blank';
+Promise.all(frames.map(frame => is_loaded(frame) || new Promise(loaded => frame.addEventListener('load', loaded)))).then(() => {
   // Nothing is laid out in what is folded.
   frames.forEach(frame => frame.contentDocument.querySelectorAll('.folded').forEach(part => part.open = true));
   after(60, write);
