@@ -62,7 +62,9 @@ TEST(VerdictSentence, CountsTheRowsThatHoldAndEveryKindOfTrouble) {
       {{assess(surge_case(), surge_runs_with("particles", high))},
        "2 of 3 gate rows hold, 1 violated."},
       {{good(), not_comparable()},
-       "3 of 6 gate rows hold, 3 not compared, 2 pairs not comparable."},
+       "3 of 6 gate rows hold, 3 not compared, 2 pairs not comparable. Not comparable: particles "
+       "against theory: candidate elevation@right: sample 250 is not finite: time 10 s, value nan "
+       "m."},
       {{without("particles", RunState::failed)}, "0 of 3 gate rows hold, 1 run failed."},
       {{without("particles", RunState::missing)},
        "0 of 3 gate rows hold, 3 not compared, 1 run without a result."},
