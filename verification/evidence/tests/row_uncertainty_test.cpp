@@ -448,15 +448,14 @@ TEST(RowUncertainty, OfAModulusSeesAWaveThatIsTurnedOver) {
   for (const auto& [metric, mode] :
        {std::pair{Metric::amplitude_error, "forced"}, {Metric::rms_error, "whole"}}) {
     OfARecord row(metric, mode, "1", 0.1, -1.9), turned(metric, mode, "1", 0.1, -2);
+    turned.set("particles", elevation_of({}));  // the coarse one turned over to the last digit
     const GateOutcome outcome = row.judged(), over = turned.judged();
     EXPECT_EQ(outcome.verdict, Verdict::inconclusive) << outcome.message;
     EXPECT_NEAR(outcome.judgement->contributions.discretisation.known(), 3 * 0.95, 1e-3)
         << metric_name(metric);
     EXPECT_EQ(over.verdict, Verdict::inconclusive) << over.message;
     EXPECT_TRUE(holds(over.message, "the refinement spacing tells nothing: between its runs"));
-    OfARecord right(metric, mode, "1", 0.1, 0.002);
-    right.set("particles", scaled(elevation_of({}), 1 + 1e-9));  // no copy of the record
-    const GateOutcome refined = right.judged();
+    const GateOutcome refined = OfARecord(metric, mode, "1", 0.1, 0.002).judged();
     EXPECT_EQ(refined.verdict, Verdict::pass) << refined.message;
     EXPECT_NEAR(refined.judgement->contributions.discretisation.known(), 0.006, 1e-6);
   }

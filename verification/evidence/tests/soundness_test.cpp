@@ -92,7 +92,6 @@ TEST_F(Soundness, IsThatOfTheTimeOfTheRowAndOfAllThatLedToIt) {
 TEST_F(Soundness, OfARunThatTheRowRestsOnKeepsItFromPassing) {
   OfARecord row(Metric::rms_error, "whole", "1", 0.5, 0.01);
   row.definition.inputs = {{Input::amplitude, 1e-6, "a guess"}};
-  row.set("particles", scaled(elevation_of({}), 1 + 1e-12));  // no copy of the record
   EXPECT_EQ(row.judged().verdict, Verdict::pass) << row.judged().message;
   row.runs.results.at("coarse_particles").diagnostics = {{"mach_number", 0.4}};
   const GateOutcome outcome = row.judged();
