@@ -208,14 +208,14 @@ template <class S, class Part>
 Field<S> field_of_part(const char* name, Part part, const KeyValue& value, const Needed& needed,
                        const std::string& meaning, double per_unit = 1) {
   using T = typename Held<std::remove_cvref_t<std::invoke_result_t<Part, S&>>>::type;
-  return {{name, value, needed, meaning},
-          [part, per_unit](const KeyEntry& key, const TomlTable& table,
-                           const CaseDefinition& definition, S& made) {
-            if (!key.is_read(table)) return;
-            T read = read_value<T>(key.value, table, key.name, definition);
-            if constexpr (std::is_same_v<T, double>) read *= per_unit;
-            part(made) = std::move(read);
-          }};
+  return {
+      {name, value, needed, meaning},
+      [=](const KeyEntry& key, const TomlTable& table, const CaseDefinition& definition, S& made) {
+        if (!key.is_read(table)) return;
+        T read = read_value<T>(key.value, table, key.name, definition);
+        if constexpr (std::is_same_v<T, double>) read *= per_unit;
+        part(made) = std::move(read);
+      }};
 }
 
 // A member, one of a part that is made when one of its keys is read, and one of an enumeration.
