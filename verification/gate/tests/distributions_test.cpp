@@ -226,7 +226,7 @@ Held held(const TwoSampleFigure& figure, double truth) {
     const Distribution candidate = random.sample(of_candidate, quarter_too_high),
                        experiment = random.sample(of_experiment);
     const Interval interval =
-        bootstrap_interval(candidate, experiment, figure, {199, static_cast<std::uint64_t>(k)});
+        bootstrap_interval(candidate, experiment, figure, {399, static_cast<std::uint64_t>(k)});
     const Estimate value = wider_side(figure(candidate, experiment), interval);
     if (interval.low <= truth && truth <= interval.high) share.interval += 1.0 / trials;
     if (std::abs(value.value - truth) <= value.half_width) share.wider_side += 1.0 / trials;
