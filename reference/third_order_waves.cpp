@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::ArrayXd, Eigen::MatrixXd, Eigen::RowVectorXd, Eigen::VectorXd;
 
-// The second and third harmonics of a wave are far from the last modes, which are smoothed.
+// The third harmonic of a wave is the mode at three quarters, of which (3/4)^16, a hundredth of the
+// last mode's smoothing, is taken away.
 constexpr int fewest_wave_modes = 16, most_wave_modes = 64, modes_of_wave = 4;
 constexpr double step_of_fastest = 0.3;  // [rad] of the last mode in one step
 constexpr double share_of_step = 1e-2;   // of the difference along the solution
@@ -81,9 +82,10 @@ class Waves {
     State state{VectorXd::Zero(modes),
                 -waves_.initial_velocity * along_ - waves_.initial_spin * around_};
     const auto& [mode, amplitude] = waves_.initial_wave;
-    const bool is_held = modes_of_wave * mode <= most_wave_modes;
-    if (amplitude != 0)
-      state.elevation[is_held ? mode - 1 : 0] = is_held ? amplitude : std::nan("");
+    if (modes_of_wave * mode <= most_wave_modes)
+      state.elevation[mode - 1] = amplitude;
+    else if (amplitude != 0)
+      state.elevation.setConstant(std::nan(""));
     return state;
   }
 
@@ -193,12 +195,6 @@ class Waves {
   VectorXd along_, around_;
 };
 
-RowVectorXd shape_at(const Tank& tank, double x, Eigen::Index modes) {
-  RowVectorXd shape(modes);
-  for (int n = 0; n < modes; ++n) shape[n] = mode_shape(tank, n + 1, x);
-  return shape;
-}
-
 std::vector<double> values_of(const RowVectorXd& row) {
   return {row.data(), row.data() + row.size()};
 }
@@ -211,16 +207,22 @@ struct ThirdOrderRecord::Below {
   double turn = 0, turn_x = 0, turn_z = 0;  // K and the flow of a turn
 };
 
+RowVectorXd ThirdOrderRecord::shape_at(double x) const {
+  RowVectorXd shape(all_.elevation.rows());
+  for (int n = 0; n < shape.size(); ++n) shape[n] = mode_shape(tank_, n + 1, x);
+  return shape;
+}
+
 // 0 where the surface is below the place.
 ThirdOrderRecord::Row ThirdOrderRecord::wet(double x, double z) const {
-  return ((shape_at(tank_, x, all_.elevation.rows()) * all_.elevation).array() >= z)
+  return ((shape_at(x) * all_.elevation).array() >= z)
       .select(Row::Ones(force_.size()), Row::Zero(force_.size()));
 }
 
 ThirdOrderRecord::Below ThirdOrderRecord::below(double x, double z) const {
   const double height = std::max(0.0, z + tank_.fill_depth);
-  const Eigen::Index modes = all_.elevation.rows();
-  const RowVectorXd shape = shape_at(tank_, x, modes);
+  const RowVectorXd shape = shape_at(x);
+  const Eigen::Index modes = shape.size();
   Below at{RowVectorXd::Zero(modes + 1), RowVectorXd::Zero(modes + 1),
            RowVectorXd::Zero(modes + 1)};
   at.potential[0] = 1;
@@ -242,12 +244,11 @@ ThirdOrderRecord::Below ThirdOrderRecord::below(double x, double z) const {
 }
 
 std::vector<double> ThirdOrderRecord::linear_elevation(double x) const {
-  return values_of(shape_at(tank_, x, all_.elevation.rows()) * linear_.elevation);
+  return values_of(shape_at(x) * linear_.elevation);
 }
 
 std::vector<double> ThirdOrderRecord::elevation(double x) const {
-  return values_of(shape_at(tank_, x, all_.elevation.rows()) *
-                   (all_.elevation - linear_.elevation));
+  return values_of(shape_at(x) * (all_.elevation - linear_.elevation));
 }
 
 std::vector<double> ThirdOrderRecord::velocity(const RowVectorXd& shape, double of_turn,
@@ -307,8 +308,8 @@ std::vector<double> ThirdOrderRecord::moment(double x, double z) const {
     add(-height * (at_z - z), half, at_z);
     add(-width * (at_x - x), at_x, -tank_.fill_depth);
   }
-  const Row left = (shape_at(tank_, -half, all_.elevation.rows()) * all_.elevation).array(),
-            right = (shape_at(tank_, half, all_.elevation.rows()) * all_.elevation).array();
+  const Row left = (shape_at(-half) * all_.elevation).array(),
+            right = (shape_at(half) * all_.elevation).array();
   const auto above = [&](const Row& eta) -> Row {
     return tank_.density * tank_.gravity / 2 * eta.square() * (eta / 3 - z);
   };

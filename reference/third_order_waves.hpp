@@ -74,6 +74,7 @@ class ThirdOrderRecord {
     Eigen::MatrixXd elevation, potential, rate;
   };
   struct Below;
+  Eigen::RowVectorXd shape_at(double x) const;          // of the modes on the still surface
   using Row = Eigen::Array<double, 1, Eigen::Dynamic>;  // of all times
   Below below(double x, double z) const;
   Row wet(double x, double z) const;

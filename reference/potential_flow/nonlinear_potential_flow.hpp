@@ -4,12 +4,12 @@
 // length. The solution is valid for an inviscid liquid whose surface neither breaks nor reaches the
 // roof, and while the grid resolves it. The run checks these conditions and ends where one fails.
 //
-// Accuracy in Li's tank (nonlinear_convergence_test.cpp): a standing wave
-// of 20 mm has converged to 2e-11 m with 24 nodes along x. A wave with smooth forcing has converged
-// to 6e-10 m with 48 nodes and to 3e-11 m with 64, but only to 2e-9 m on the wall itself: at a wall
-// that accelerates the surface has a slope and its curvature is singular, so that a cosine series
-// would gain only two orders there. 20 s of the paper's case take 6 s of processor time with 48
-// nodes and 15 s with 64, and differ from linear theory by 2.5 % rms.
+// Accuracy in Li's tank (nonlinear_convergence_test.cpp): a standing wave of 20 mm has converged to
+// 2e-11 m with 24 nodes along x. A wave with smooth forcing has converged to 6e-10 m with 48 nodes
+// and to 3e-11 m with 64, but only to 2e-9 m on the wall itself: at a wall that accelerates the
+// surface has a slope and its curvature is singular, so that a cosine series would gain only two
+// orders there. 20 s of the paper's case take 6 s of processor time with 48 nodes and 15 s with 64,
+// and differ from linear theory by 2.5 % rms.
 //
 // Starts. "earth": the liquid is at rest in the earth's frame and the walls move off at once. This
 // excites every mode of the tank, also modes so short that no grid resolves them. The excitation of

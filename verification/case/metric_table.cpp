@@ -120,9 +120,17 @@ Modes modes_of(const MetricEntry& metric) {
     case MeasuredOn::impact:
     case MeasuredOn::repeated_impact:
       return Modes::impacts;
-    default:
+    case MeasuredOn::whole_window:
+    case MeasuredOn::oscillation:
+    case MeasuredOn::front:
+    case MeasuredOn::band:
+    case MeasuredOn::own_series:
+    case MeasuredOn::plateau:
+    case MeasuredOn::field:
+    case MeasuredOn::cost:
       return Modes::whole;
   }
+  throw std::logic_error("a metric that is measured on nothing");
 }
 
 constexpr bool are_in_the_order_of_the_enumeration() {

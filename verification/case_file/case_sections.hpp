@@ -168,6 +168,7 @@ inline constexpr const char* measured_before = "measured before: the reason name
 //   modes = ["natural_1", "natural_3"]                     and for each mode
 //   limits.amplitude_error = 0.05                          and for each metric: its limit,
 //   limits.phase_lag = { limit = 5, reason = "..." }       or the keys that are its own
+
 // What the rows of a kind judge: the runs of a case, or the measures of a problem.
 struct RowSubjects {
   std::string key, key_of_several;  // "candidate", "candidates"

@@ -206,7 +206,7 @@ Comparison CaseEvidence::compared(const std::string& candidate, const std::strin
             definition_, quantity, role, cut_to_window(series_of(runs_, run, quantity), window));
         !doubt.empty())
       comparison.doubts.push_back(doubt);
-  // No two methods give the same digits, but that a program may print those of a theory.
+  // Two methods never give the same digits; a program may print those of a theory that it solves.
   if (comparison.maximum_residual == 0 && !comparison.reference_is_constant &&
       moved.suffix.empty() && are_of_two_methods(definition_, candidate, reference))
     comparison.doubts.push_back("the candidate has the reference's values to the last digit");

@@ -66,13 +66,13 @@ Estimate ensemble_mean(const std::vector<std::vector<Estimate>>& pairs, SingleSi
   const MeanVariance a = variance_of_mean(of_candidates, least.candidates),
                      b = variance_of_mean(of_references, least.references);
   const double value = mean(of_candidates);
+  const std::size_t runs = std::max(pairs.size(), of_references.size());
   if (a.freedom > 0 && b.freedom > 0)
-    return {value, with_own(half_width_of(a.variance + b.variance, welch_freedom(a, b)),
-                            std::max(pairs.size(), of_references.size()), mean(own))};
+    return {value,
+            with_own(half_width_of(a.variance + b.variance, welch_freedom(a, b)), runs, mean(own))};
   const MeanVariance repeated = a.freedom > 0 ? a : b;
   if (single == SingleSide::exact)
-    return {value, with_own(half_width_of(repeated.variance, repeated.freedom),
-                            std::max(pairs.size(), of_references.size()), mean(own))};
+    return {value, with_own(half_width_of(repeated.variance, repeated.freedom), runs, mean(own))};
   const MeanVariance one_more = with_one_of_many(repeated);
   return {value, std::hypot(half_width_of(one_more.variance, one_more.freedom), mean(own))};
 }

@@ -28,7 +28,8 @@ double median_magnitude(std::vector<double> values) {
   return median(std::move(values));
 }
 
-// Equal where the samples are equally spaced.
+// Returns the share of the time that each sample stands for. All are equal where the samples are
+// equally spaced.
 std::vector<double> shares_of_time(const std::vector<double>& times) {
   const std::size_t count = times.size();
   if (count == 1) return {1};

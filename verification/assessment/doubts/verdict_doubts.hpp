@@ -15,8 +15,8 @@ namespace slosh {
 //   a load or a frequency that is judged without a reference while an effect that the models leave
 //   out exceeds its limit (model_limits.hpp): no reference shows what it does;
 //   a mode that passes while the whole series departs from the reference by more than half of its
-//   deviation (normalised rms), which no row on normalised_rms, aligned_rms
-//   or outside_band of this pair judges.
+//   deviation (normalised rms), where no row of this pair on normalised_rms, aligned_rms or
+//   outside_band judges that.
 // Adds to the message of a natural mode's frequency that of linear theory.
 // Returns what stands below the headline, "doubtful: CASE: ...": those and the runs that are not
 // sound.

@@ -1,3 +1,5 @@
+// Results whose seal fits and whose HDF5 content is not what a result holds, as another program may
+// write them.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -5,7 +7,6 @@
 
 #include "verification/files/content_hash.hpp"
 #include "verification/files/hdf5_handles.hpp"
-#include "verification/results/progress_file.hpp"
 #include "verification/results/result_file.hpp"
 #include "verification/tests/messages.hpp"
 #include "verification/tests/temporary_directory.hpp"
@@ -120,30 +121,6 @@ TEST_F(ResultContent, IsRefusedWithTextsForNumbers) {
               hdf5::write_texts(root, "series/elevation/value", {"0", "1", "2"});
             }),
             "HDF5 cannot");
-}
-
-TEST(ProgressFile, GivesBackWhatWasWrittenLast) {
-  const TemporaryDirectory directory;
-  const auto file = directory.path() / "run.progress";
-  write_progress({.time = 1, .end_time = 20, .steps = 100}, file);
-  write_progress({.time = 1.25, .end_time = 20, .steps = 120}, file);
-  const auto progress = read_progress(file);
-  ASSERT_TRUE(progress);
-  EXPECT_EQ(progress->time, 1.25);
-  EXPECT_EQ(progress->end_time, 20);
-  EXPECT_EQ(progress->steps, 120);
-}
-
-TEST(ProgressFile, MayBeAbsentOrDamaged) {
-  const TemporaryDirectory directory;
-  const auto file = directory.path() / "run.progress";
-  EXPECT_FALSE(read_progress(file));
-  EXPECT_FALSE(read_progress(""));
-  EXPECT_FALSE(read_progress(directory.path())) << "reading it fails";
-  for (const char* text : {"", "{\"time_s\": 1", "{\"time_s\": 1}", "[]", "{\"time_s\": \"x\"}"}) {
-    std::ofstream(file) << text;
-    EXPECT_FALSE(read_progress(file)) << text;
-  }
 }
 
 }  // namespace
